@@ -18,15 +18,8 @@
 #define PLT_TRACE_TRIANGLE_H
 
 #include "engine/trace/packet.h"
+#include "engine/trace/triangle_corners.h"
 #include "engine/tree/primitive_id.h"
-
-/* A triangle as any format gives it: corners in canonical order (record.h). */
-typedef struct plt_triangle {
-    float corner[3][3];
-    float longest;                /* at least the longest side of its box */
-    uint32_t word;                /* of primitive_id.h if `ids` is NULL, else its index there */
-    const plt_primitive_ids *ids; /* or NULL */
-} plt_triangle;
 
 #if PLT_WITH_HULLS
 /* The same in registers: x, y, z; the fourth lane means nothing, but should not be subnormal. */

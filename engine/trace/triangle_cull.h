@@ -6,7 +6,8 @@
 #ifndef PLT_TRACE_TRIANGLE_CULL_H
 #define PLT_TRACE_TRIANGLE_CULL_H
 
-#include "engine/trace/triangle.h"
+#include "engine/trace/packet.h"
+#include "engine/trace/triangle_corners.h"
 
 #if PLT_LANES_FLUSHES
 /* Of `groups` those that the triangle may cover. */

@@ -4,8 +4,9 @@
 #ifndef PLT_TRACE_TRIANGLE_PLAIN_H
 #define PLT_TRACE_TRIANGLE_PLAIN_H
 
-#include "engine/trace/triangle.h"
+#include "engine/trace/packet.h"
 #include "engine/trace/triangle_common.h"
+#include "engine/trace/triangle_corners.h"
 #include "engine/trace/triangle_edges.h"
 
 #if !PLT_WITH_HULLS

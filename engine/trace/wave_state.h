@@ -122,8 +122,10 @@ static inline plt_ray plt_wave_ray_get(const plt_wave_job *job, uint32_t number)
     const plt_group_rays *g = &job->packet->rays[number / 4];
     const unsigned lane = number % 4;
     const plt_ray ray = {.org = {g->org[0][lane], g->org[1][lane], g->org[2][lane]},
-                         .dir = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]}};
-    return ray; /* the rest nobody asks for */
+                         .tmin = 0, /* nobody asks for the interval */
+                         .dir = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]},
+                         .tmax = 0};
+    return ray;
 }
 
 /* The lists, and how many rays are on each: a copy, so that counts stay in registers. */
