@@ -40,7 +40,7 @@ verdict "PORTING.md's table of boards is that of $budget" "$(
         NR == FNR {
             wanted[$1] = grouped($column["firmware_code"]) " | " grouped($column["stack_worst"]) \
                 ", " grouped($column["stack_painted"]) " | " \
-                grouped($column["instructions_per_ray"]) " |"
+                grouped(int($column["instructions_per_ray"])) " |"
             next
         }
         {
