@@ -60,7 +60,7 @@ deepest() { # FOLDER
         -v outward=1 | awk '/^error/ { print } /^worst/ { print $2, $3 }'
 }
 
-# part "WORDS" FOLDER MOST: built, and not larger than it may be, nor its stack.
+# part "WORDS" FOLDER MOST [STACK]: built, and not larger than it may be, nor its stack (2048).
 part() {
     rm -rf "$2/engine"
     make_board mps2_an386 PARTS="$1" || return 1
@@ -68,8 +68,8 @@ part() {
     verdict "PARTS='$1': $bytes bytes of engine, at most $3" "$(
         [ "${bytes:-0}" -gt 0 ] && [ "$bytes" -le "$3" ] || echo "$bytes bytes")"
     stack=$(deepest "$2")
-    verdict "... and ${stack% *} bytes of stack below ${stack#* }, at most 2048" "$(
-        [ "${stack% *}" -le 2048 ] 2>/dev/null || echo "$stack")"
+    verdict "... and ${stack% *} bytes of stack below ${stack#* }, at most ${4:-2048}" "$(
+        [ "${stack% *}" -le "${4:-2048}" ] 2>/dev/null || echo "$stack")"
 }
 
 "$planelet" make knot --triangles 2000 -o "$out/parts.ply" >/dev/null
@@ -263,7 +263,7 @@ trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis some' 2>&1)
 verdict "PARTS with some and without motion is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with some has .*: make PARTS='" || echo "$trouble")"
 grid=$BUILD/mps2_an386-grid-render-thesis
-if part "render thesis grid" "$grid" 60416; then
+if part "render thesis grid" "$grid" 60416 2176; then
     renders "$grid" thesis
     renders "$grid" thesis structure=grid
 fi
