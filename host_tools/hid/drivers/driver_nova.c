@@ -70,8 +70,7 @@ static int nova_show(display *d, const picture *p, fail *f) {
         const int sent = send_window(d, p, left);
         status = sent != PORT_OK ? sent : status;
     }
-    const int is_stopped = d->stop != NULL && *d->stop; /* which ends tries */
-    return status != PORT_OK && is_stopped ? DISPLAY_STOPPED : display_status(status);
+    return display_status(status);
 }
 
 static int send_output(display *d, uint8_t command, uint8_t value) {
