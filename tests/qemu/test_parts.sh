@@ -189,7 +189,7 @@ if part "render thesis motion sequence" "$sequence" 50176; then
         echo "$text" | grep -q '^error: .*number of sections' || echo "$text")"
 fi
 sequence=$BUILD/mps2_an386-compact-motion-render-sequence
-if part "render compact motion sequence" "$sequence" 57856; then
+if part "render compact motion sequence" "$sequence" 58368; then
     renders "$sequence" compact
     for k in 0 1 2 3 4 5; do
         wave $k >"$out/wave_00$k.ply"
