@@ -26,22 +26,30 @@ static inline f4 plt_lattice_planes(const plt_lattice *l, f4 numbers) {
     return f4_add(f4_load(l->origin), f4_mul(f4_all(l->step), numbers));
 }
 
-/* Puts the corners of `count` triangles in canonical order, and makes floats of the lattice numbers
- * of all vertices. Keys that order them are needed no longer than that: apart, they are not on the
- * stack below the tests of triangles. */
-PLT_APART_ON_SMALL_STACKS static void plt_leaf_place_corners(plt_leaf *leaf, uint32_t count,
-                                                             const plt_lattice *l) {
-    uint64_t key[PLT_LEAF_VERTICES_MOST];
+/* Floats of the lattice numbers of all vertices, and the keys that order them. */
+static inline void plt_leaf_positions(plt_leaf *leaf, const plt_lattice *l, uint64_t key[]) {
     for (uint32_t i = 0; i < leaf->vertices; i++) {
         plt_vertex *v = &leaf->vertex[i];
         key[i] = plt_lattice_key(v->number);
         f4_store(v->scene, plt_lattice_planes(l, f4_of_u4(u4_load(v->number))));
     }
+}
+
+/* The three indices of `corner`, a byte each, in canonical order. */
+static inline uint32_t plt_leaf_ordered(uint32_t corner, const uint64_t key[]) {
+    const uint64_t a = key[corner & 0xFFu], b = key[corner >> 8 & 0xFFu], c = key[corner >> 16];
+    const uint32_t first = plt_canonical_first(b < a, c < a, c < b);
+    return (uint32_t)(((uint64_t)corner << 24 | corner) >> 8 * first) & 0xFFFFFFu;
+}
+
+/* Puts the corners of `count` triangles in canonical order, and places all vertices. Keys are
+ * needed no longer than that: apart, they are not on the stack below the tests of triangles. */
+PLT_APART_ON_SMALL_STACKS static void plt_leaf_place_corners(plt_leaf *leaf, uint32_t count,
+                                                             const plt_lattice *l) {
+    uint64_t key[PLT_LEAF_VERTICES_MOST];
+    plt_leaf_positions(leaf, l, key);
     for (uint32_t i = 0; i < count; i++) {
-        const uint32_t corner = leaf->corner[i];
-        const uint64_t a = key[corner & 0xFFu], b = key[corner >> 8 & 0xFFu], c = key[corner >> 16];
-        const uint32_t first = plt_canonical_first(b < a, c < a, c < b);
-        leaf->corner[i] = (uint32_t)(((uint64_t)corner << 24 | corner) >> 8 * first) & 0xFFFFFFu;
+        leaf->corner[i] = plt_leaf_ordered(leaf->corner[i], key);
     }
 }
 
