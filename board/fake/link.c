@@ -92,6 +92,7 @@ static int deliver(fake_link *link, const fake_transfer *t) {
     }
     if (is_ordered(link, t, FAKE_LOSES_BYTE) || is_ordered(link, t, FAKE_REPEATS_BYTE)) {
         deliver_slipped(link, t, link->failure == FAKE_REPEATS_BYTE);
+        link->bytes_moved += count;
         return 0;
     }
     if (link->failure == FAKE_LAST_FIRST) {

@@ -10,6 +10,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/base/small_stack.h"
 #include "engine/grid/macro.h"
+#include "engine/lanes/lane.h"
 #include "engine/trace/grid_bundle.h"
 #include "engine/trace/grid_cull.h"
 #include "engine/trace/grid_turn.h"
@@ -61,9 +62,7 @@ static inline void test_groups(visit *v, const plt_record *record, plt_mask grou
 
 /* Lane `lane` of it in all lanes. */
 static inline f4 all_of_lane(const f4 *v, unsigned lane) {
-    float x;
-    memcpy(&x, (const char *)v + lane * sizeof x, sizeof x);
-    return f4_all(x);
+    return f4_all(plt_lane(v, lane));
 }
 
 /* Of `groups` those that may meet the record of a lane. */

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "engine/base/small_stack.h"
+#include "engine/lanes/lane.h"
 #include "engine/trace/exact.h"
 #include "engine/trace/packet.h"
 #include "engine/trace/triangle_edges.h"
@@ -35,17 +36,6 @@ typedef struct passing {
     m4 in_box;
 } passing;
 
-/* Lanes lie in memory in order. */
-static inline float lane_of(const f4 *v, unsigned lane) {
-    float x;
-    memcpy(&x, (const char *)v + lane * sizeof x, sizeof x);
-    return x;
-}
-
-static inline void set_lane(f4 *v, unsigned lane, float to) {
-    memcpy((char *)v + lane * sizeof to, &to, sizeof to);
-}
-
 static plt_lone_ray ray_of(const plt_group_rays *g, int z, unsigned lane) {
     const plt_lone_ray ray = {{g->org[0][lane], g->org[1][lane], g->org[2][lane]},
                               {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]},
@@ -61,16 +51,16 @@ RARELY int decide_lane(const passing *t, const plt_group_rays *g, edges *e, int 
     const plt_lone_ray ray = ray_of(g, z, lane);
     plt_lone_edges lone;
     for (int c = 0; c < 3; c++) {
-        lone.weight[c] = lane_of(&e->weight[c], lane);
-        lone.x[c] = lane_of(&e->x[c], lane);
-        lone.y[c] = lane_of(&e->y[c], lane);
+        lone.weight[c] = plt_lane(&e->weight[c], lane);
+        lone.x[c] = plt_lane(&e->x[c], lane);
+        lone.y[c] = plt_lane(&e->y[c], lane);
     }
     lone.error = error;
     const enum plt_meeting how = plt_decide_meeting(&ray, t->corner, &lone);
     if (how == PLT_MEETS_COARSELY) {
         plt_exact_weights(&ray, t->corner, lone.weight);
         for (int c = 0; c < 3; c++) {
-            set_lane(&e->weight[c], lane, lone.weight[c]);
+            plt_lane_set(&e->weight[c], lane, lone.weight[c]);
         }
     }
     return how != PLT_MISSES;
@@ -88,7 +78,7 @@ PLT_APART_ON_SMALL_STACKS static unsigned covered(const passing *t, const plt_gr
     unsigned hits = candidates & sure;
     for (unsigned lane = 0; (candidates & ~sure) >> lane != 0; lane++) {
         if ((candidates & ~sure) >> lane & 1u) {
-            hits |= (unsigned)decide_lane(t, g, e, z, lane, lane_of(&error, lane)) << lane;
+            hits |= (unsigned)decide_lane(t, g, e, z, lane, plt_lane(&error, lane)) << lane;
         }
     }
     return hits;
@@ -144,8 +134,8 @@ RARELY unsigned open_lanes(passing *t, const plt_group_slabs *s, const plt_group
     }
     unsigned open = 0;
     for (unsigned lane = 0; lane < 4; lane++) {
-        const float from = lane_of(&t->enter, lane), to = lane_of(&t->leave, lane);
-        const int is_open = plt_distance_is_open(lane_of(&along, lane), kind, from, to);
+        const float from = plt_lane(&t->enter, lane), to = plt_lane(&t->leave, lane);
+        const int is_open = plt_distance_is_open(plt_lane(&along, lane), kind, from, to);
         const int in_range = from <= s->tmax[lane] && s->tmin[lane] <= to;
         open |= (unsigned)(is_open && in_range) << lane;
     }

@@ -118,7 +118,9 @@ static void choose_options(const plt_info *info, unsigned shader) {
     if (shader == PLT_SHADE_WHITTED) {
         v.options.whitted = 1 + (v.has_lighting ? v.lighting.bounces : DAYLIGHT_BOUNCES);
         v.options.surface = has_surface;
-        v.options.surface = has_surface && plt_arena_need(info, 0, &v.options) > 0;
+        if (plt_arena_need(info, 0, &v.options) == 0) {
+            v.options.surface = 0; /* not streamed, unless they are in pages */
+        }
         if (v.options.surface && v.where != VIEW_STREAMED && info->texture_bytes > 0) {
             v.options.textures = PLT_TEXTURES_BILINEAR;
         }
@@ -269,8 +271,8 @@ int viewer_size(unsigned width, unsigned height) {
         daylight_sun(&v.lighting.light[0], &v.first);
         v.lighting.lights = 1;
     }
-    if (v.options.whitted > 0) {
-        plt_lighting_set(v.engine, &v.lighting);
+    if (v.options.whitted > 0 && plt_lighting_set(v.engine, &v.lighting) != PLT_OK) {
+        return fail_set(&v.why, "lights", "their numbers are out of range");
     }
     coarse_moved(&v.coarse);
     return PLT_OK;

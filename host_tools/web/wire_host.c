@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "host_tools/base/clock.h"
+#include "host_tools/hid/drivers/planelet_keys.h"
 #include "platform/wire/wire.h"
 
 enum { ANSWER_MS = 3000, WINDOW = 32, FRAMES_PER_SECOND = 12, IN_BYTES_USUAL = 64 };
@@ -134,19 +135,10 @@ static void wire_host_close(display *d) {
     d->state = NULL;
 }
 
-/* In the order of enum wire_key, and without symbols: what a key looks like is the device's. */
-static const display_key keys[] = {
-    {"left", STEER_LEFT, 0, 0},   {"right", STEER_RIGHT, 0, 0},   {"up", STEER_UP, 0, 0},
-    {"down", STEER_DOWN, 0, 0},   {"nearer", STEER_NEARER, 0, 0}, {"farther", STEER_FARTHER, 0, 0},
-    {"reset", STEER_RESET, 0, 0}, {"still", STEER_STILL, 0, 0},   {NULL, STEER_LEFT, 0, 0}};
-
-/* As driver_planelet has it. */
-static const driver_id ids[] = {{0x1209, 0x0001, 0}, {0, 0, 0}};
-
 const driver driver_wire_host = {.name = "planelet",
                                  .about = "Planelet display",
-                                 .ids = ids,
-                                 .keys = keys,
+                                 .ids = planelet_ids,
+                                 .keys = planelet_keys,
                                  .open = wire_host_open,
                                  .show = wire_host_show,
                                  .tick = wire_host_tick,

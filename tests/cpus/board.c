@@ -39,12 +39,17 @@ int board_scene(const char *parameters, plt_source *source) {
     }
     source->mapped = image;
     source->bytes = (uint32_t)fread(image, 1, sizeof image, file);
+    const int is_whole = fgetc(file) == EOF;
     fclose(file);
-    return 0;
+    if (!is_whole) {
+        printf("error: %s has more than %zu bytes\n", name, sizeof image);
+    }
+    return is_whole ? 0 : -1;
 }
 
 int board_frame_begin(uint16_t w, uint16_t h) {
     width = w, height = h;
+    free(rgb);
     rgb = malloc(3 * width * height);
     return rgb != NULL ? 0 : -1;
 }

@@ -91,8 +91,10 @@
     }
   }
 
+  /* The device's first interface takes no reports. unplug() is told at once. */
   window.fakeHid = {
-    asked: null,
+    asked: null, listener: {},
+    unplug: () => window.fakeHid.listener.disconnect({ device }),
     deck: (product) => (device = new FakeDevice(0x0fd9, product, "fake deck", 1023, 511)),
     panel: (program) => (device = new FakePanel(program)),
   };
@@ -101,10 +103,11 @@
     value: {
       requestDevice: async ({ filters }) => {
         window.fakeHid.asked = filters;
+        const other = { collections: [], open: () => Promise.reject(new Error("a keyboard")) };
         return device && filters.some((f) => f.vendorId === device.vendorId &&
-          f.productId === device.productId) ? [device] : [];
+          f.productId === device.productId) ? [other, device] : [];
       },
-      addEventListener: () => {},
+      addEventListener: (kind, act) => { window.fakeHid.listener[kind] = act; },
     },
   });
 })();

@@ -208,6 +208,11 @@ async function panel() {
   await until("planelet.engine.call.shown_is_done()");
   verdict("its key turns the scene", turned !== hash, turned);
   same("and it shows that frame", await browser.run("d.hash()"), turned);
+  await browser.run("(fakeHid.unplug(), 0)");
+  matches("one that is unplugged while nothing is sent is said to be gone",
+    await browser.run("document.getElementById('display').textContent"), /display is gone;/);
+  await click("connect");
+  await until("planelet.display.isSized");
   await browser.run("planelet.engine.start().then(() => 0)");
   await until("planelet.display.device === null");
   matches("a program that is begun anew has no display, and the page says so",

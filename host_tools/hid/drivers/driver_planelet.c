@@ -9,6 +9,7 @@
 
 #include "host_tools/base/clock.h"
 #include "host_tools/hid/drivers/drivers.h"
+#include "host_tools/hid/drivers/planelet_keys.h"
 #include "platform/wire/wire.h"
 
 enum {
@@ -301,20 +302,10 @@ static void planelet_near(display *d, unsigned steps, unsigned fps) {
     }
 }
 
-/* In the order of enum wire_key. */
-static const display_key keys[] = {
-    {"left", STEER_LEFT, 0, 0},   {"right", STEER_RIGHT, 0, 0},   {"up", STEER_UP, 0, 0},
-    {"down", STEER_DOWN, 0, 0},   {"nearer", STEER_NEARER, 0, 0}, {"farther", STEER_FARTHER, 0, 0},
-    {"reset", STEER_RESET, 0, 0}, {"still", STEER_STILL, 0, 0},   {NULL, STEER_LEFT, 0, 0}};
-_Static_assert((int)STEER_STILL == (int)WIRE_KEY_STILL, "keys of the wire and of a scene");
-
-/* pid.codes reserves 1209:0001 for tests; a product needs an id of its own. */
-static const driver_id ids[] = {{0x1209, 0x0001, 0}, {0, 0, 0}};
-
 const driver driver_planelet = {.name = "planelet",
                                 .about = "Planelet's own wire, any size (platform/WIRE.md)",
-                                .ids = ids,
-                                .keys = keys,
+                                .ids = planelet_ids,
+                                .keys = planelet_keys,
                                 .open = planelet_open,
                                 .show = planelet_show,
                                 .renews = 1,

@@ -26,8 +26,20 @@ const display = {
     return Math.max(0, ...collections.flatMap((c) => c[kind] || []).map((r) => bits(r) / 8));
   },
 
+  /* One that is unplugged while nothing is sent is gone, too. */
+  watch() {
+    navigator.hid?.addEventListener("disconnect", ({ device }) => {
+      if (device === this.device) {
+        this.close("The display is gone; plug it in and connect it again.");
+      }
+    });
+  },
+
   async connect() {
-    const [device] = await navigator.hid.requestDevice({ filters: this.filters() });
+    /* A device of several interfaces comes as several: the one that takes reports has the panel. */
+    const devices = await navigator.hid.requestDevice({ filters: this.filters() });
+    const device = devices.find((d) => this.longest(d.collections, "outputReports") > 0) ||
+      devices[0];
     if (!device) {
       return;
     }

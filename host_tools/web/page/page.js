@@ -73,9 +73,16 @@ async function scene(data, name, view) {
   return isOpen;
 }
 
+let taken = 0;
+
+/* Of files that are chosen one after another the last is shown, whichever is read first. */
 async function take(file) {
+  const number = ++taken;
   try {
-    await scene(new Uint8Array(await file.arrayBuffer()), file.name, null);
+    const data = new Uint8Array(await file.arrayBuffer());
+    if (number === taken) {
+      await scene(data, file.name, null);
+    }
   } catch (error) {
     fail(`${file.name}: cannot be read (${error.message}); choose it again`, 0);
   }
@@ -201,6 +208,7 @@ async function begin() {
     return;
   }
   $("connect").disabled = display.reason() !== "";
+  display.watch();
   $("display").textContent = display.reason() || $("display").textContent;
   listen();
   show();
