@@ -14,6 +14,7 @@
 
 #include <string.h>
 
+#include "engine/base/small_stack.h"
 #include "engine/trace/child_order.h"
 #include "engine/trace/ray_block.h"
 #include "engine/tree/bvh4.h"
@@ -212,7 +213,7 @@ static inline void drop(plt_wave_ray *r, int any) {
 }
 
 /* A pass for each question, over the rays that the one before left, instead of branches. */
-static void test_all(run *k, const plt_wave_job *job) {
+PLT_APART_ON_SMALL_STACKS static void test_all(run *k, const plt_wave_job *job) {
     const size_t count = k->on.on[PLT_WAVE_TEST];
     plt_wave_ray **const met = k->on.list[PLT_WAVE_DONE] + k->on.on[PLT_WAVE_DONE];
     const size_t nearer = test_distances(k, met, test_edges(k, met, count));

@@ -17,6 +17,7 @@
 
 #if PLT_WITH_WAVE_COMPACT
 
+#include "engine/base/small_stack.h"
 #include "engine/trace/leaf_compact.h"
 #include "engine/trace/ray_block.h"
 #include "engine/trace/wave_binary.h"
@@ -315,7 +316,7 @@ static uint32_t test_leaf(const run *k, compact_ray *r, const plt_wave_job *job)
     return blocks;
 }
 
-static void test_all(run *k, const plt_wave_job *job) {
+PLT_APART_ON_SMALL_STACKS static void test_all(run *k, const plt_wave_job *job) {
     const size_t count = k->on.on[PLT_WAVE_TEST];
     k->on.on[PLT_WAVE_TEST] = 0;
     for (size_t i = 0; i < count; i++) {

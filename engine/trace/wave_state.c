@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "engine/base/small_stack.h"
 #include "engine/trace/coherence.h"
 #include "engine/trace/ray_bounds.h"
 #include "engine/trace/rays.h"
@@ -67,7 +68,7 @@ static inline uint32_t group_of(const plt_wave_job *job, uint32_t number) {
 }
 
 /* Sets four rays up; lanes without one, and rays that hit nothing, are not valid. */
-static void stage(plt_wave_job *job) {
+PLT_APART_ON_SMALL_STACKS static void stage(plt_wave_job *job) {
     plt_wave_staged *to = &job->wave->staged;
     plt_packet *p = job->packet;
     const uint32_t group = group_of(job, job->next);

@@ -334,9 +334,9 @@ lit() {
         --light sun:0.5,1,0.75,0.75,0.0625,4 --sky 0.5,0.5,0.75 --ground 0.25,0.25,0.125 --depth 4)
     # shellcheck disable=SC2086
     firmware "$1" "$out/$2.plt" size=80x60 arena=262144 shader=whitted \
-        sun=0.5,1,0.75,0.75,0.0625,4 sky=0.5,0.5,0.75 ground=0.25,0.25,0.125 depth=4 ${view#* }
+        sun=0.5,1,0.75,0.75,0.0625,4 sky=0.5,0.5,0.75 ground=0.25,0.25,0.125 depth=4 ${view#* } $3
     echo "$text" | tr ' ' '\n' | grep '^render_longest='
-    verdict "${1##*/}, $2, lit: the frame of the host" "$(
+    verdict "${1##*/}, $2, lit${3:+, $3}: the frame of the host" "$(
         [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
             echo "status $status: $text")"
 }
@@ -348,6 +348,15 @@ for smooth in "" "--smooth 40"; do
 done
 if part "render thesis whitted" "$BUILD/mps2_an386-render-thesis-whitted" 51712; then
     lit "$BUILD/mps2_an386-render-thesis-whitted" marbles
+fi
+# What surfaces send out by the wave; its leaves, of blocks of four, want more of the stack.
+wave=$BUILD/mps2_an386-render-thesis-wave-whitted
+if part "render thesis whitted wave" "$wave" 82176 3328; then
+    lit "$wave" marbles "flight=32 rays=incoherent"
+    by_wave=$(value total)
+    lit "$wave" marbles "flight=32 rays=coherent"
+    verdict "... by another way: $by_wave instructions, and $(value total) in packets" "$(
+        [ "${by_wave:-0}" -gt 0 ] && [ "$by_wave" != "$(value total)" ] || echo "$text")"
 fi
 whitted=$BUILD/mps2_an386-render-surface-thesis-whitted
 if part "render thesis surface whitted" "$whitted" 55808; then
@@ -432,7 +441,7 @@ for parts in 'render compact motion' 'motion compact'; do
         echo "$trouble" | grep -q "PARTS with motion has .*: make PARTS='" || echo "$trouble")"
 done
 wave=$BUILD/mps2_an386-render-thesis-wave
-if part "render thesis wave" "$wave" 73728; then
+if part "render thesis wave" "$wave" 73728 3200; then
     renders "$wave" thesis
     verdict "... the whole engine is without a wave" "$(
         find "$BUILD/mps2_an386/engine" -name 'wave*.o' | grep .)"
@@ -455,7 +464,7 @@ trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render compact stream task' 2>&1)
 verdict "PARTS with task and without batch is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with task has .*: make PARTS='" || echo "$trouble")"
 wave=$BUILD/mps2_an386-compact-render-wave
-if part "render compact wave" "$wave" 77824; then
+if part "render compact wave" "$wave" 77824 2432; then
     renders "$wave" compact
 fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS=rendr 2>&1)
