@@ -93,7 +93,11 @@ static void once(void) {
     lock_release(lock);
 
     test("a path of libusb, or a node that may not be opened, is nothing to lock");
-    CHECK(lock_take("1-2:1.0", &holder) == LOCK_NONE, "libusb");
+    const char *const name = "1-2:1.0";
+    FILE *file = fopen(name, "wx");
+    CHECK(file != NULL && fclose(file) == 0, "a file of that name");
+    CHECK(lock_take(name, &holder) == LOCK_NONE, "libusb");
+    remove(name);
     CHECK(lock_take(TEST_FOLDER, &holder) == LOCK_NONE, "a folder");
     lock_release(LOCK_NONE);
 }

@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -42,7 +43,9 @@ static long holder_of(int file) {
 }
 
 int lock_take(const char *path, long *holder) {
-    const int file = open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    /* libusb's "1-2:1.0" would be a file of the folder where we are. */
+    const int is_file = strchr(path, '/') != NULL;
+    const int file = is_file ? open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOCTTY) : -1;
     *holder = 0;
     if (file < 0) {
         return LOCK_NONE;
