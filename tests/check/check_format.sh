@@ -9,9 +9,10 @@ command -v clang-format-14 >/dev/null 2>&1 && format=clang-format-14
 if needs "$format"; then
     # shellcheck disable=SC2086
     verdict "clang-format has nothing to change" "$(
-        for file in $(find $folders -name '*.[ch]' | sort); do
-            "$format" "$file" | cmp -s - "$file" || echo "$file: run $format -i on it"
-        done)"
+        find $folders -name '*.[ch]' | sort | xargs "$format" --dry-run -Werror 2>&1 |
+            awk -F: -v format="$format" '/: error: / { if (!seen[$1]++) {
+                print $1 ": run " format " -i on it" } next }
+                /^error|^fatal|No such/ { print }')"
 fi
 # shellcheck disable=SC2086
 files=$(find $folders Makefile .ci/run -type f \( -name '*.[chS]' -o -name '*.sh' -o -name '*.awk' \
