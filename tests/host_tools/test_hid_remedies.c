@@ -416,6 +416,28 @@ static void showing(void) {
     CHECK(session_release(&s, &f) != 0, "released");
     says(&f, "it has no picture of its own; leave out --release");
     start_again(&s);
+
+    test("it went before it had its own picture back: plug it in again");
+    model *mini = model_make(&model_mini, (model_shape){0});
+    const fake_device own = device_of(&mini, "1-2:1.0");
+    fake_plug(1, &own);
+    s = wish_for("1-2:1.0", NULL, -1);
+    CHECK(session_open(&s, &f) == 0 && shows(&s, &f), "%s", f.text);
+    fake_unplug(1);
+    CHECK(session_release(&s, &f) != 0, "released");
+    says(&f,
+         "went away before it had its own picture back; plug it in again, which gives it back, "
+         "too");
+    session_close(&s);
+    model_free(mini);
+    mini = model_make(&model_mini, (model_shape){0}); /* as it is with power again */
+    fake_plug(1, &own);
+    s = wish_for("1-2:1.0", NULL, -1);
+    CHECK(session_open(&s, &f) == 0 && shows(&s, &f), "%s", f.text);
+    CHECK(session_release(&s, &f) == 0 && mini->releases == 1, "%s", f.text);
+    session_close(&s);
+    fake_unplug(1);
+    model_free(mini);
     CHECK(fake_bus.open == 0 && fake_bus.wrong == 0, "hidapi was used as it should");
     model_free(panel);
 }

@@ -267,7 +267,9 @@ int session_release(session *s, fail *f) {
     }
     const int result = by->release(&s->display, f);
     if (result == DISPLAY_GONE) {
-        return fail_set(f, s->info.path, "went away before it had its own picture back");
+        return fail_set(f, s->info.path,
+                        "went away before it had its own picture back; plug it in again, which "
+                        "gives it back, too");
     }
     return result == DISPLAY_FAILED ? -1 : 0;
 }
