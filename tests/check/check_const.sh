@@ -1,6 +1,8 @@
 #!/bin/sh
 # check_const.sh - no cast in the engine drops a const
 #
+# Beside builders: it builds nothing.
+#
 # A scene is read by several workers at once, and an image may lie in flash: what is
 # const stays const. A compiler reports a missing const without being asked, but not
 # that a cast took it away. SPDX-License-Identifier: MIT

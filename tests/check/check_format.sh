@@ -1,5 +1,6 @@
 #!/bin/sh
 # check_format.sh - the layout of every source file
+# Beside builders: it builds nothing.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 

@@ -1,5 +1,6 @@
 #!/bin/sh
 # check_headers.sh - every header of engine and board compiles alone
+# Beside builders: it builds nothing.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 CXX=${CXX:-g++}

@@ -3,6 +3,7 @@
 #
 # A small tree in a folder of its own, with the same check: clean at first, then with
 # one fault at a time, which must be found, with the name of its file.
+# Beside builders: it builds nothing.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 tree=$(mktemp -d)

@@ -3,6 +3,7 @@
 #
 # Addresses that look like decimal numbers with an exponent are among them: to awk
 # 00005e84 is larger than 00005f00, and a neighbour got what was not its own.
+# Beside builders: it builds nothing.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 folder=$(mktemp -d)

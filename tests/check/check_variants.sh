@@ -1,6 +1,8 @@
 #!/bin/sh
 # check_variants.sh - the other builds of the engine: scalar lanes, tiny limits
 #
+# Beside builders: its builds have folders of their own.
+#
 # The scalar build must give every golden frame; with every limit as small as it
 # may be, every test program must still pass. SPDX-License-Identifier: MIT
 . tests/check/report.sh

@@ -1,6 +1,8 @@
 #!/bin/sh
 # check_words.sh - words and names that must not come back
 #
+# Beside builders: it builds nothing.
+#
 # A row of the table: where (a pattern for paths), what (a pattern for whole words, small
 # letters), what to write instead, and an example, in which the row must find it. It is
 # looked for across the ends of lines too. All that is found is in build/check/words.txt.

@@ -4,6 +4,7 @@
 # And Altivec keeps subnormals, as platform/altivec.c says.
 # Those with IN_CI in tests/cpus: of 32 and 64 bits, of both byte orders, with vectors and without.
 # `make cpus` and `make hashes` have the others, other compilers, and the tests of the engine.
+# Beside builders: it builds in build/cpus alone.
 # SPDX-License-Identifier: MIT
 . tests/check/report.sh
 
