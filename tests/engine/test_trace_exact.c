@@ -1,7 +1,7 @@
 /* test_trace_exact - the side of an edge on which a ray passes, against other integers
  *
- * Coordinates are integers of at most 20 bits times a power of two, so that 128-bit integers
- * give dir . ((p - org) x (q - org)) exactly.
+ * Coordinates are integers of at most 21 bits times a power of two, so that two 64-bit integers
+ * give dir . ((p - org) x (q - org)), of less than 70 bits, exactly.
  *
  * SPDX-License-Identifier: MIT */
 #include <math.h>
@@ -11,7 +11,32 @@
 #include "tests/reference/random.h"
 #include "tests/test.h"
 
-__extension__ typedef __int128 wide;
+/* high 2^24 + low; low is from 0 to 2^24 - 1. */
+typedef struct wide {
+    int64_t high, low;
+} wide;
+
+enum { LOW = 1 << 24 };
+
+static int64_t low_of(int64_t x) {
+    return (x % LOW + LOW) % LOW;
+}
+
+/* += a b, where a b / 2^24 and 2^24 b fit into 64 bits with room for a sum. */
+static void add_product(wide *sum, int64_t a, int64_t b) {
+    const int64_t low = sum->low + low_of(a) * b;
+    sum->high += (a - low_of(a)) / LOW * b + (low - low_of(low)) / LOW;
+    sum->low = low_of(low);
+}
+
+static int sign_of(wide x) {
+    return x.high < 0 ? -1 : x.high > 0 || x.low > 0;
+}
+
+/* Rounded once, as both parts are doubles. */
+static double double_of(wide x) {
+    return (double)x.high * LOW + (double)x.low;
+}
 
 typedef struct question {
     int32_t p[3], q[3], org[3], dir[3];
@@ -40,12 +65,12 @@ static int side_of(plt_scaled v) {
 }
 
 static wide exactly(const question *x) {
-    wide value = 0;
+    wide value = {0, 0};
     for (int a = 0; a < 3; a++) {
         const int b = (a + 1) % 3, c = (a + 2) % 3;
-        const wide pb = x->p[b] - x->org[b], pc = x->p[c] - x->org[c];
-        const wide eb = x->q[b] - x->p[b], ec = x->q[c] - x->p[c];
-        value += x->dir[a] * (pb * ec - pc * eb);
+        const int64_t pb = x->p[b] - x->org[b], pc = x->p[c] - x->org[c];
+        const int64_t eb = x->q[b] - x->p[b], ec = x->q[c] - x->p[c];
+        add_product(&value, pb * ec - pc * eb, x->dir[a]);
     }
     return value;
 }
@@ -87,17 +112,17 @@ static uint32_t on, off;
 
 /* The side is right, and the value to a few roundings. */
 static void ask(const question *x, int power, int dir_power) {
-    const wide due = exactly(x);
+    const wide exact = exactly(x);
+    const double due = double_of(exact);
     const plt_scaled v = value_of(x, power, dir_power);
     const double value = ldexp((double)v.mantissa, v.exponent - 2 * power - dir_power);
-    CHECK(side_of(v) == (due > 0) - (due < 0), "side %d", side_of(v));
-    CHECK(fabs(value - (double)due) <= 0x1p-23 * fabs((double)due), "%a, not %a", value,
-          (double)due);
+    CHECK(side_of(v) == sign_of(exact), "side %d", side_of(v));
+    CHECK(fabs(value - due) <= 0x1p-23 * fabs(due), "%a, not %a", value, due);
     CHECK(v.mantissa == 0.0f || (fabsf(v.mantissa) >= 1.0f && fabsf(v.mantissa) <= 2.0f),
           "mantissa %a", (double)v.mantissa);
     CHECK(plt_scaled_float(v, -2 * power - dir_power) == (float)value, "another float");
-    on += due == 0;
-    off += due != 0;
+    on += sign_of(exact) == 0;
+    off += sign_of(exact) != 0;
 }
 
 int main(void) {
