@@ -60,9 +60,14 @@ const viewer = {
     return true;
   },
 
+  /* What is shown in that size already is not rendered again. */
   size(width, height) {
+    const { stage } = this;
+    if (this.isOpen && width === this.width && height === this.height) {
+      return;
+    }
     Object.assign(this, { width, height });
-    const { stage } = this, before = document.createElement("canvas");
+    const before = document.createElement("canvas");
     before.width = stage.width;
     before.height = stage.height;
     before.getContext("2d").drawImage(stage, 0, 0);
