@@ -6,6 +6,7 @@
 #include "engine/engine.h"
 #include "tests/reference/block_refit_check.h"
 #include "tests/reference/compare.h"
+#include "tests/reference/room.h"
 #include "tests/reference/sequence_rig.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
@@ -348,7 +349,7 @@ static void unchanged(void) {
             same_bytes(&s, blocks, used, ids, id_bytes, "shown");
             CHECK(plt_sequence_show(s.engine, 5, &s.fault) == PLT_OK, "%s", s.fault.message);
             CHECK(memcmp(blocks, s.engine->scene.compact.bytes, used) != 0, "it moves");
-            unsigned char *copy = malloc(used);
+            unsigned char *copy = room_get(used);
             memcpy(copy, s.engine->scene.compact.bytes, used);
             CHECK(plt_sequence_show(s.engine, 5, &s.fault) == PLT_OK, "%s", s.fault.message);
             same_bytes(&s, copy, used, NULL, 0, "shown again");

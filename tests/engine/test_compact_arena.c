@@ -15,6 +15,7 @@
 #include "tests/reference/compact_check.h"
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -39,7 +40,7 @@ static opened open_in(const packed *image, size_t bytes, int streamed, uint8_t s
     const plt_source fetched = {NULL, image->size, &stream, hostile_start, hostile_wait};
     const plt_source source = streamed ? fetched : rig_source(image);
     const plt_options options = {.packet_side = side, .count_touched = 1};
-    unsigned char *zone = malloc(bytes + ZONE);
+    unsigned char *zone = room_get(bytes + ZONE);
     plt_engine *e = NULL;
     memset(zone, PATTERN, bytes + ZONE);
     o.status = plt_open(&e, zone + ZONE, bytes, &source, &options, &o.fault);
@@ -108,7 +109,7 @@ static void peak_of(uint32_t triangles, uint32_t k, uint8_t bits, int streamed) 
     const plt_source fetched = {NULL, image.size, &stream, hostile_start, hostile_wait};
     const plt_source source = streamed ? fetched : rig_source(&image);
     const size_t need = plt_arena_need(&image.info, !streamed, &config.run);
-    void *arena = malloc(need);
+    void *arena = room_get(need);
     plt_engine *e = NULL;
     plt_fault fault;
     CHECK(plt_open(&e, arena, need, &source, &config.run, &fault) == PLT_OK, "%s", fault.message);
@@ -140,7 +141,7 @@ static void in_steps(uint32_t k, uint32_t splits) {
     packed image = image_of(compact_triangles(500, k), &config);
     const plt_source source = rig_source(&image);
     const size_t need = plt_arena_need(&image.info, 1, &config.run);
-    void *whole_arena = malloc(need), *arena = malloc(need);
+    void *whole_arena = room_get(need), *arena = room_get(need);
     plt_engine *whole = NULL, *e = NULL;
     plt_fault fault;
     CHECK(plt_open(&whole, whole_arena, need, &source, &config.run, &fault) == PLT_OK, "%s",
@@ -216,7 +217,7 @@ static void one_after_another(uint8_t build) {
     const size_t need[2] = {plt_arena_need(&image[0].info, 1, &config.run),
                             plt_arena_need(&image[1].info, 1, &config.run)};
     const size_t bytes = need[0] > need[1] ? need[0] : need[1];
-    void *arena = malloc(bytes), *fresh = malloc(bytes);
+    void *arena = room_get(bytes), *fresh = room_get(bytes);
     for (int i = 0; i < 4; i++) {
         plt_engine *e = NULL, *other = NULL;
         plt_fault fault;

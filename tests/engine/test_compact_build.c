@@ -12,6 +12,7 @@
 #include "tests/reference/compact_check.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/random.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -157,7 +158,7 @@ static void run(work *w, size_t bytes, unsigned char **memory) {
     memset(zone, PATTERN, bytes + 2 * GUARD);
     w->job.memory = zone + GUARD;
     w->job.bytes = bytes;
-    w->job.scratch = malloc(plt_blocks_scratch_bytes(w->job.triangles.count));
+    w->job.scratch = room_get(plt_blocks_scratch_bytes(w->job.triangles.count));
     w->steps = 0;
     w->status = plt_blocks_begin(&w->job);
     w->status = w->status == PLT_OK ? PLT_MORE : w->status;

@@ -9,6 +9,7 @@
 
 #include "engine/builder/blocks.h"
 #include "engine/builder/blocks_state.h"
+#include "tests/reference/room.h"
 #include "tests/test.h"
 
 enum { TRIANGLES = 8, LEVELS = 2, MEMORY = 4096 };
@@ -33,7 +34,7 @@ static int build(uint32_t depth, uint8_t splits, plt_blocks_job *job) {
                                   .splits = splits,
                                   .memory = memory,
                                   .bytes = MEMORY,
-                                  .scratch = malloc(plt_blocks_scratch_bytes(TRIANGLES))};
+                                  .scratch = room_get(plt_blocks_scratch_bytes(TRIANGLES))};
     *job = fresh;
     int status = plt_blocks_begin(job);
     plt_blocks_state *s = job->scratch;
@@ -52,9 +53,10 @@ static int build_behind(uint32_t used, plt_blocks_job *job) {
     const plt_blocks_job fresh = {.triangles = {(const unsigned char *)corners, 1, 2, 0},
                                   .bits = 12,
                                   .leaf_triangles = 1,
-                                  .memory = malloc((size_t)used + MEMORY), /* touched at its end */
+                                  .memory =
+                                      room_get((size_t)used + MEMORY), /* touched at its end */
                                   .bytes = (size_t)used + MEMORY,
-                                  .scratch = malloc(plt_blocks_scratch_bytes(1))};
+                                  .scratch = room_get(plt_blocks_scratch_bytes(1))};
     *job = fresh;
     int status = plt_blocks_begin(job);
     job->used = used;

@@ -8,6 +8,7 @@
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/random.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -93,7 +94,7 @@ static void flips_in_blocks(const packed *image) {
 
 /* Cut short, with the header's size changed to match. */
 static void sealed_lengths(const packed *image) {
-    unsigned char *shorter = malloc(image->size);
+    unsigned char *shorter = room_get(image->size);
     for (uint32_t size = 256; size < image->size; size += 4) {
         memcpy(shorter, image->bytes, image->size);
         plt_put_u32(shorter + 16, size);
@@ -108,7 +109,7 @@ static void sealed_lengths(const packed *image) {
 /* Two random header words at a time, each set to one of a few values. */
 static void header_pairs(const packed *image) {
     random_state r = {6};
-    unsigned char *bytes = malloc(image->size);
+    unsigned char *bytes = room_get(image->size);
     for (uint32_t i = 0; i < 2000; i++) {
         memcpy(bytes, image->bytes, image->size);
         for (int k = 0; k < 2; k++) {
@@ -124,7 +125,7 @@ static void header_pairs(const packed *image) {
 }
 
 static void sealed_flips(const packed *image) {
-    unsigned char *bytes = malloc(image->size);
+    unsigned char *bytes = room_get(image->size);
     for (uint32_t at = 0; at < image->size; at++) {
         for (int bit = 0; bit < 9; bit++) {
             memcpy(bytes, image->bytes, image->size);
@@ -369,7 +370,7 @@ static void bent_corners(const packed *image) {
         bend(image, at, random_below(&r, 1u << bits), width, 255, "a corner elsewhere");
     }
     bend(image, 256, hi + 1u, width, 20, "a corner just outside the box");
-    unsigned char *flat = malloc(image->size);
+    unsigned char *flat = room_get(image->size);
     for (int value = 0; value < 3; value++) { /* all triangles in one point, or none has area */
         memcpy(flat, image->bytes, image->size);
         for (uint32_t i = 0; i < bytes / width; i++) {

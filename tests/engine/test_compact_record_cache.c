@@ -17,6 +17,7 @@
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/random.h"
+#include "tests/reference/room.h"
 #include "tests/test.h"
 
 enum { GUARD = 64, PATTERN = 0xA5 };
@@ -64,7 +65,7 @@ typedef struct built {
 static built build(const packed *image, line *l, const plt_options *options) {
     const plt_source source = {NULL, image->size, l, line_start, line_wait};
     const size_t need = plt_arena_need(&image->info, 0, options);
-    built b = {.arena = malloc(need + GUARD)};
+    built b = {.arena = room_get(need + GUARD)};
     memset(b.arena + need, PATTERN, GUARD);
     b.status = plt_open(&b.engine, b.arena, need, &source, options, &b.fault);
     CHECK((b.engine != NULL) == (b.status == PLT_OK), "status %d", b.status);
@@ -101,7 +102,7 @@ static void claimed_stacks(void) {
         const plt_source source = {mapped ? image.bytes : NULL, image.size, &l, line_start,
                                    line_wait};
         const size_t need = plt_arena_need(&image.info, mapped, &config.run);
-        void *arena = malloc(need);
+        void *arena = room_get(need);
         plt_engine *e = NULL;
         plt_fault fault;
         CHECK(plt_open(&e, arena, need, &source, &config.run, &fault) == PLT_OK, "mapped %d: %s",
@@ -118,7 +119,7 @@ static void same_blocks(uint32_t k, uint8_t bits, uint8_t splits) {
     packed image = image_of(compact_triangles(6000, k), &config);
     const plt_source mapped = {image.bytes, image.size, NULL, NULL, NULL};
     const size_t need = plt_arena_need(&image.info, 1, &config.run);
-    void *arena = malloc(need);
+    void *arena = room_get(need);
     plt_engine *e = NULL;
     plt_fault fault;
     CHECK(plt_open(&e, arena, need, &mapped, &config.run, &fault) == PLT_OK, "%s", fault.message);
@@ -226,7 +227,7 @@ static void after_failure(void) {
     for (uint32_t at = 3; at <= whole.reads; at++) {
         line l = line_of(&image);
         const plt_source source = {NULL, image.size, &l, line_start, line_wait};
-        void *arena = malloc(bytes);
+        void *arena = room_get(bytes);
         plt_engine *e = NULL;
         plt_fault fault;
         *(at % 2 ? &l.lie_at : &l.fail_at) = at;

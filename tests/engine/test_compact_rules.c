@@ -6,6 +6,7 @@
 
 #include "host_tools/pack/pack.h"
 #include "tests/reference/compact_hostile.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -71,7 +72,7 @@ static packed image_of(int floats) {
 
 /* The result of opening the image with a field changed. */
 static hostile_result changed(const packed *image, uint32_t at, uint32_t value, uint32_t bytes) {
-    unsigned char *copy = malloc(image->size);
+    unsigned char *copy = room_get(image->size);
     memcpy(copy, image->bytes, image->size);
     for (uint32_t i = 0; i < bytes; i++) {
         copy[at + i] = (unsigned char)(value >> 8 * i);

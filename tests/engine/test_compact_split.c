@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "engine/builder/blocks.h"
+#include "tests/reference/room.h"
 #include "tests/test.h"
 
 enum { SIDES = 4, MEMORY = 4096 };
@@ -35,7 +36,7 @@ static uint32_t nodes_of(uint32_t k, uint32_t gap) {
                           .splits = PLT_SPLIT_SAH,
                           .memory = memory,
                           .bytes = MEMORY,
-                          .scratch = malloc(plt_blocks_scratch_bytes(count))};
+                          .scratch = room_get(plt_blocks_scratch_bytes(count))};
     int status = plt_blocks_begin(&job);
     for (status = status == PLT_OK ? PLT_MORE : status; status == PLT_MORE;) {
         status = plt_blocks_step(&job);

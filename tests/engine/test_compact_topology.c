@@ -20,6 +20,7 @@
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/compact_thesis.h"
 #include "tests/reference/rays.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -40,7 +41,7 @@ static int open_image(rig *r, const packed *image, uint8_t side) {
     int status = plt_image_info(&source, &info, &r->fault);
     if (status == PLT_OK) {
         r->arena_bytes = plt_arena_need(&info, 1, &options);
-        r->arena = malloc(r->arena_bytes);
+        r->arena = room_get(r->arena_bytes);
         status = plt_open(&r->engine, r->arena, r->arena_bytes, &source, &options, &r->fault);
     }
     return status;

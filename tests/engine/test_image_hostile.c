@@ -10,6 +10,7 @@
 #include "tests/hostile/attacks.h"
 #include "tests/reference/random.h"
 #include "tests/reference/rig.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -50,7 +51,7 @@ static void sealed_flips(const packed *image, uint32_t step) {
 /* Two random header words at a time, each set to one of a few values. */
 static void header_pairs(const packed *image, uint32_t rounds) {
     random_state r = {6};
-    unsigned char *bytes = malloc(image->size);
+    unsigned char *bytes = room_get(image->size);
     for (uint32_t i = 0; i < rounds; i++) {
         memcpy(bytes, image->bytes, image->size);
         for (int k = 0; k < 2; k++) {
@@ -179,7 +180,8 @@ static packed chain(uint32_t levels) {
     plt_header_write(header, &h);
     image.size = h.info.image_bytes;
     image.info = h.info;
-    image.bytes = calloc(image.size, 1);
+    image.bytes = room_get(image.size);
+    memset(image.bytes, 0, image.size);
     memcpy(image.bytes, header, 256);
     for (uint32_t i = 0; i < levels; i++) {
         const int last = i + 1 == levels;

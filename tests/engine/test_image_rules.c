@@ -7,6 +7,7 @@
 #include "engine/image/header.h"
 #include "tests/hostile/images.h"
 #include "tests/reference/rig.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -78,7 +79,7 @@ static const change changes[] = {
 
 static hostile_result changed(const change *c) {
     const hostile_config config = {(uint8_t)(c->at & 1), 0, 2, 0};
-    unsigned char *bytes = malloc(image.size);
+    unsigned char *bytes = room_get(image.size);
     memcpy(bytes, image.bytes, image.size);
     if (c->bytes == 1) {
         bytes[c->at] = (unsigned char)c->value;
@@ -115,7 +116,7 @@ static void refused(const unsigned char *bytes, uint32_t size, unsigned rule, ui
 }
 
 static void sizes_and_checksums(void) {
-    unsigned char *bytes = malloc(image.size);
+    unsigned char *bytes = room_get(image.size);
     memcpy(bytes, image.bytes, image.size);
     refused(bytes, 255, 1, 255);
     refused(bytes, 0, 1, 0);
@@ -130,8 +131,9 @@ static void sizes_and_checksums(void) {
     refused(bytes, image.size, 13, 256 + image.info.node_bytes);
     free(bytes);
     /* The sections are valid, but something follows them. */
-    unsigned char *longer = calloc(image.size + 64, 1);
+    unsigned char *longer = room_get(image.size + 64);
     memcpy(longer, image.bytes, image.size);
+    memset(longer + image.size, 0, 64);
     plt_put_u32(longer + 16, image.size + 64);
     hostile_seal_header(longer, image.size + 64);
     refused(longer, image.size + 64, 11, 16);

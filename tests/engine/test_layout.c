@@ -12,6 +12,7 @@
 #include "engine/layout.h"
 #include "tests/hostile/images.h"
 #include "tests/reference/compact_rig.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -176,7 +177,7 @@ typedef struct opened {
 
 /* In an arena of exactly so many bytes; freed by the caller. */
 static opened open_in(const combination *c, size_t bytes) {
-    opened o = {NULL, malloc(bytes), {0}, {0, 0, 0, 0, NULL}, PLT_OK};
+    opened o = {NULL, room_get(bytes), {0}, {0, 0, 0, 0, NULL}, PLT_OK};
     const hostile_stream stream = {c->s->image.bytes, c->s->image.size, 0};
     const plt_source fetched = {NULL, c->s->image.size, &o.stream, hostile_start, hostile_wait};
     const plt_source source = c->mapped ? rig_source(&c->s->image) : fetched;

@@ -16,6 +16,7 @@
 #include "tests/hostile/images.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/rays.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -50,7 +51,7 @@ static int open_lone(lone_scene *s, const packed *image, const plt_options *opti
     int status = plt_header_read(&header, image->bytes, image->size, &fault);
     if (status == PLT_OK) {
         const size_t bytes = plt_arena_need(&header.info, mapped, options);
-        plt_arena arena = {malloc(bytes), bytes, 0, 0};
+        plt_arena arena = {room_get(bytes), bytes, 0, 0};
         const plt_opening o = {&s->scene, &source, &arena, &layout, &fault, 0, 0, 0, 0};
         plt_layout_of_image(&layout, &header.info, mapped, options);
         status = plt_scene_open(&o, &header, &build);
@@ -79,15 +80,15 @@ static void make_parts(const plt_scene *scene, const plt_options *options,
     plt_layout layout;
     plt_layout_set(&layout, &scene->info, &scene->info, 1, options);
     memset(part, 0, PLT_PARTS_COUNT * sizeof *part);
-    part[PLT_PART_STACK] = malloc((size_t)layout.bytes[PLT_PART_STACK]);
-    part[PLT_PART_LEAVES] = malloc((size_t)layout.bytes[PLT_PART_LEAVES] + 1);
-    part[PLT_PART_LOCAL_STACK] = malloc((size_t)layout.bytes[PLT_PART_LOCAL_STACK] + 1);
-    part[PLT_PART_FORMAT] = malloc(plt_state_bytes((enum plt_format)scene->format));
+    part[PLT_PART_STACK] = room_get((size_t)layout.bytes[PLT_PART_STACK]);
+    part[PLT_PART_LEAVES] = room_get((size_t)layout.bytes[PLT_PART_LEAVES] + 1);
+    part[PLT_PART_LOCAL_STACK] = room_get((size_t)layout.bytes[PLT_PART_LOCAL_STACK] + 1);
+    part[PLT_PART_FORMAT] = room_get(plt_state_bytes((enum plt_format)scene->format));
     if (options->count_touched) {
         part[PLT_PART_TOUCHED] =
-            malloc(4 * (size_t)plt_touched_words((enum plt_format)scene->format, &scene->info));
+            room_get(4 * (size_t)plt_touched_words((enum plt_format)scene->format, &scene->info));
     }
-    part[PLT_PART_PACKET] = malloc(plt_packet_bytes(options->packet_side));
+    part[PLT_PART_PACKET] = room_get(plt_packet_bytes(options->packet_side));
 }
 
 static void trace_slice(worker *w, plt_traversal *t, plt_packet *p, unsigned slice) {
@@ -195,7 +196,7 @@ static void compare(worker w[WORKERS], const single *one, const char *name) {
 
 /* The bytes that workers share are the same afterwards: structure, memory, image. */
 static void share(const rig *r, const lone_scene *s, worker w[WORKERS], const char *name) {
-    unsigned char *image = malloc(r->image.size), *memory = malloc(s->used + 1);
+    unsigned char *image = room_get(r->image.size), *memory = room_get(s->used + 1);
     plt_scene scene;
     memcpy(image, r->image.bytes, r->image.size);
     memcpy(memory, s->memory, s->used);

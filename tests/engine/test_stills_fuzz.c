@@ -10,6 +10,7 @@
 #include "engine/tree/compact/block_tree.h"
 #include "tests/hostile/mutations.h"
 #include "tests/hostile/sequences.h"
+#include "tests/reference/room.h"
 #include "tests/reference/sequence_rig.h"
 #include "tests/test.h"
 
@@ -101,7 +102,7 @@ static void try_images(unsigned times) {
     random_state r = {11};
     for (uint32_t seed = 0; seed < SEEDS; seed++) {
         packed image = make_image(seed);
-        unsigned char *bytes = malloc(image.size);
+        unsigned char *bytes = room_get(image.size);
         for (unsigned i = 0; i < times; i++) {
             const hostile_config config = {
                 .streamed = i % 2, .packet_side = 2, .residency = PLT_RESIDENCY_STREAMED};

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "engine/base/rules.h"
+#include "tests/reference/room.h"
 #include "tests/reference/stream_compact.h"
 
 /* ---- the same from every store --------------------------------------------- */
@@ -115,7 +116,7 @@ static void forged_images(uint32_t seeds) {
     for (uint32_t scene = 0; scene < 4; scene++) {
         fill_subject(&s, 700, scene % 2 ? 2 : 1, scene < 2 ? 14 : 18, (int)(scene + 3) % 4 % 3);
         const uint32_t blocks = s.image.info.node_bytes + s.image.info.triangle_bytes;
-        unsigned char *whole = malloc(s.image.size);
+        unsigned char *whole = room_get(s.image.size);
         memcpy(whole, s.image.bytes, s.image.size);
         for (uint32_t seed = 0; seed < seeds; seed++, tried++) {
             random_state r = {seed * 4 + scene};
@@ -326,7 +327,7 @@ static void counts_wrong_once(int ids) {
     plt_stats q;
     fill_subject(&s, 6000, 2, 14, ids);
     const plt_options o = options_of(PLT_RESIDENCY_STREAMED, 2, 40000);
-    garbling g = {.link = &x.link, .right = s.image.bytes, .wrong = malloc(s.image.size)};
+    garbling g = {.link = &x.link, .right = s.image.bytes, .wrong = room_get(s.image.size)};
     memcpy(g.wrong, s.image.bytes, s.image.size);
     garble_counts(&s, g.wrong);
     CHECK(open_run(&x, &s.image, &o) == PLT_OK, "%s", x.fault.message);

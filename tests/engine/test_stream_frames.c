@@ -9,6 +9,7 @@
 
 #include "engine/base/rules.h"
 #include "engine/memory/prefetch.h"
+#include "tests/reference/room.h"
 #include "tests/reference/stream_compact.h"
 
 enum { FRAME_BYTES = 3 * WIDTH * HEIGHT };
@@ -92,7 +93,7 @@ static void forged_images(uint32_t seeds) {
     uint32_t refused = 0;
     fill_subject(&s, 700, 2, 14, 1);
     const uint32_t blocks = s.image.info.node_bytes + s.image.info.triangle_bytes;
-    unsigned char *whole = malloc(s.image.size);
+    unsigned char *whole = room_get(s.image.size);
     memcpy(whole, s.image.bytes, s.image.size);
     for (uint32_t seed = 0; seed < seeds; seed++) {
         random_state r = {seed};

@@ -8,6 +8,7 @@
 #include "engine/base/rules.h"
 #include "tests/hostile/images.h"
 #include "tests/reference/rig.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/reference/stream_rig.h"
 
@@ -239,7 +240,7 @@ static void forged_images(uint32_t seeds) {
     uint32_t refused = 0, tried = 0;
     for (uint32_t scene = 0; scene < 5; scene++) {
         fill_subject(&s, 700, 1 + scene % 2, n[scene]);
-        unsigned char *whole = malloc(s.image.size);
+        unsigned char *whole = room_get(s.image.size);
         memcpy(whole, s.image.bytes, s.image.size);
         for (uint32_t seed = 0; seed < seeds; seed++, tried++) {
             random_state r = {seed * 8 + scene};
@@ -353,7 +354,7 @@ static void changes(const subject *s, uint8_t side, uint32_t seed, uint32_t *end
     changing c = {.random = {seed}};
     for (unsigned i = 0; i < VERSIONS; i++) {
         packed copy = s->image;
-        copy.bytes = c.version[i] = malloc(s->image.size);
+        copy.bytes = c.version[i] = room_get(s->image.size);
         memcpy(copy.bytes, s->image.bytes, s->image.size);
         for (unsigned times = 0; i > 0 && times < 3; times++) {
             forge(&copy, &c.random);

@@ -7,6 +7,7 @@
 
 #include "engine/schedule/nearest.h"
 #include "tests/reference/random.h"
+#include "tests/reference/room.h"
 #include "tests/test.h"
 
 enum { PLACE = 32, REST = 8, STORE = 65536, MODEL = 4096, NOWHERE = -1 };
@@ -40,7 +41,7 @@ static void set_up(rig *r, uint32_t most, uint32_t queues) {
     r->traversal.state = &r->stream;
     r->traversal.stack = r->stack;
     plt_stream_init(&r->stream, r->store, STORE);
-    r->memory = malloc(plt_tasks_bytes(most, queues));
+    r->memory = room_get(plt_tasks_bytes(most, queues));
     plt_tasks_init(&r->tasks, r->memory, most, queues);
 }
 

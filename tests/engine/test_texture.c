@@ -7,6 +7,7 @@
 
 #include "engine/base/rules.h"
 #include "engine/planelet_crc32.h"
+#include "tests/reference/room.h"
 #include "tests/reference/texture_rig.h"
 #include "tests/test.h"
 
@@ -269,7 +270,7 @@ static void rooms(void) {
     uint64_t before = UINT64_MAX;
     for (uint32_t slots = 1; slots < 100; slots = 2 * slots + 1) {
         const uint32_t bytes = slots * PLT_TEXTURE_LEAST + (slots > 4 ? 100 : 0);
-        void *room = malloc(bytes);
+        void *room = room_get(bytes);
         CHECK(texture_scene_open(&s, &t, &source, room, bytes) == PLT_OK, "opened");
         CHECK(hash_of(&t, &status) == mapped && status == PLT_OK, "%u slots", slots);
         CHECK(t.tiles.stats.fetched > 0 && t.tiles.stats.fetched < before, "%u slots: %llu", slots,

@@ -12,6 +12,7 @@
 #include "tests/reference/frames.h"
 #include "tests/reference/rays.h"
 #include "tests/reference/rig.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -41,7 +42,7 @@ typedef struct subject {
 
 static stack stack_of(uint32_t entries, unsigned order) {
     const size_t bytes = entries * plt_failing_entry_bytes(order);
-    const stack s = {malloc(bytes + GUARD), bytes};
+    const stack s = {room_get(bytes + GUARD), bytes};
     memset(s.memory, PATTERN, bytes + GUARD);
     return s;
 }
@@ -88,7 +89,7 @@ static void set_engine(subject *s, const plt_options *options) {
     }
 #endif
     s->local = stack_of(two ? info->local_stack_entries : 0, options->order);
-    s->packet = malloc(plt_packet_bytes(options->packet_side));
+    s->packet = room_get(plt_packet_bytes(options->packet_side));
     static _Alignas(PLT_ALIGN) unsigned char state[64]; /* of thesis nodes, or of ours */
     CHECK(plt_state_bytes(PLT_FORMAT_THESIS) <= sizeof state, "a larger state");
     void *const part[PLT_PARTS_COUNT] = {[PLT_PART_FORMAT] = state,

@@ -21,6 +21,7 @@
 #include "tests/hostile/images.h"
 #include "tests/reference/compact_rig.h"
 #include "tests/reference/rays.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/test.h"
 
@@ -207,11 +208,11 @@ static void worker_open(worker *w, plt_engine *e, plt_options options) {
     memset(w, 0, sizeof *w);
     w->engine = e;
     plt_layout_set(&layout, &e->scene.info, &e->scene.info, 1, &options);
-    w->part[PLT_PART_STACK] = malloc((size_t)layout.bytes[PLT_PART_STACK]);
-    w->part[PLT_PART_LEAVES] = malloc((size_t)layout.bytes[PLT_PART_LEAVES]);
-    w->part[PLT_PART_FORMAT] = malloc((size_t)layout.bytes[PLT_PART_FORMAT]);
-    w->part[PLT_PART_WAVE] = malloc((size_t)layout.bytes[PLT_PART_WAVE]);
-    w->packets = malloc(plt_packet_bytes(options.packet_side));
+    w->part[PLT_PART_STACK] = room_get((size_t)layout.bytes[PLT_PART_STACK]);
+    w->part[PLT_PART_LEAVES] = room_get((size_t)layout.bytes[PLT_PART_LEAVES]);
+    w->part[PLT_PART_FORMAT] = room_get((size_t)layout.bytes[PLT_PART_FORMAT]);
+    w->part[PLT_PART_WAVE] = room_get((size_t)layout.bytes[PLT_PART_WAVE]);
+    w->packets = room_get(plt_packet_bytes(options.packet_side));
     options.count_touched = 0;
     plt_traversal_init(&w->traversal, &e->scene, &options, w->part);
     plt_packet_init(&w->packet, w->packets, options.packet_side);

@@ -182,6 +182,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 
 #include "engine/builder/blocks.h"
 #include "tests/reference/random.h"
+#include "tests/reference/room.h"
 
 /* The first block of a scene of `count` random triangles; returns its bytes. */
 static uint32_t block_of(random_state *r, uint8_t choice, unsigned char to[1 << 14]) {
@@ -194,7 +195,7 @@ static uint32_t block_of(random_state *r, uint8_t choice, unsigned char to[1 << 
                           .leaf_triangles = tree.leaf_triangles,
                           .memory = memory,
                           .bytes = sizeof memory,
-                          .scratch = malloc(plt_blocks_scratch_bytes(count))};
+                          .scratch = room_get(plt_blocks_scratch_bytes(count))};
     for (uint32_t i = 0; i < 9 * count; i++) {
         corners[i] = random_below(r, 1u << (1 + random_below(r, tree.lattice.bits)));
     }

@@ -17,6 +17,7 @@
 #include "engine/planelet_crc32.h"
 #include "engine/tree/compact/leaf.h"
 #include "engine/tree/thesis/checks.h"
+#include "tests/reference/room.h"
 #include "tests/reference/visits.h"
 
 #define HOSTILE_RAYS 70u
@@ -55,7 +56,7 @@ static inline void hostile_seal_header(unsigned char *bytes, uint32_t size) {
 
 /* A copy to damage; free() it. */
 static inline unsigned char *hostile_copy(const unsigned char *image, uint32_t size) {
-    unsigned char *bytes = malloc(size);
+    unsigned char *bytes = room_get(size);
     memcpy(bytes, image, size);
     return bytes;
 }
@@ -327,7 +328,7 @@ static inline hostile_result hostile_try_with(const unsigned char *bytes, uint32
                                               hostile_config config, unsigned motion,
                                               const char *(*trace)(plt_engine *e)) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
-    unsigned char *copy = malloc(size > 0 ? size : 1);
+    unsigned char *copy = room_get(size > 0 ? size : 1);
     hostile_stream stream = {copy, size, 0};
     plt_source source = {copy, size, NULL, NULL, NULL};
     if (config.streamed) {
@@ -339,7 +340,7 @@ static inline hostile_result hostile_try_with(const unsigned char *bytes, uint32
     }
     const plt_options options = hostile_options(&source, config, motion);
     const size_t arena_bytes = hostile_arena_bytes(&source, &options);
-    void *arena = malloc(arena_bytes);
+    void *arena = room_get(arena_bytes);
     plt_engine *e = NULL;
     r.status = plt_open(&e, arena, arena_bytes, &source, &options, &r.fault);
     r.sentence = r.status == PLT_OK ? trace(e) : hostile_refusal(r.status, &r.fault, e);

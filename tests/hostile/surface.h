@@ -8,6 +8,7 @@
 #define HOSTILE_SURFACE_H
 
 #include "tests/hostile/images.h"
+#include "tests/reference/room.h"
 
 enum { HOSTILE_AT_FURTHER = 228, HOSTILE_FURTHER_MOST = 7 };
 
@@ -101,7 +102,7 @@ static inline const char *hostile_trace_surface(plt_engine *e) {
 static inline hostile_result hostile_try_surface(const unsigned char *bytes, uint32_t size,
                                                  hostile_config config) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
-    unsigned char *copy = malloc(size > 0 ? size : 1);
+    unsigned char *copy = room_get(size > 0 ? size : 1);
     hostile_stream stream = {copy, size, 0};
     const plt_source mapped = {copy, size, NULL, NULL, NULL},
                      streamed = {NULL, size, &stream, hostile_start, hostile_wait};
@@ -109,7 +110,7 @@ static inline hostile_result hostile_try_surface(const unsigned char *bytes, uin
     const plt_options options = {.packet_side = 2, .order = config.order, .surface = 1};
     memcpy(copy, bytes, size);
     const size_t arena_bytes = hostile_arena_bytes(source, &options);
-    void *arena = malloc(arena_bytes);
+    void *arena = room_get(arena_bytes);
     plt_engine *e = NULL;
     r.status = plt_open(&e, arena, arena_bytes, source, &options, &r.fault);
     r.sentence =

@@ -8,6 +8,7 @@
 
 #include "engine/engine.h"
 #include "tests/hostile/surface.h"
+#include "tests/reference/room.h"
 
 enum { HOSTILE_SAMPLES = 60, HOSTILE_TEXTURE_ROOM = 5 * PLT_TEXTURE_LEAST };
 
@@ -61,7 +62,7 @@ static inline const char *hostile_render_textures(plt_engine *e) {
 static inline hostile_result hostile_try_textures(const unsigned char *bytes, uint32_t size,
                                                   int streamed, uint8_t filter) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
-    unsigned char *copy = malloc(size > 0 ? size : 1);
+    unsigned char *copy = room_get(size > 0 ? size : 1);
     hostile_stream stream = {copy, size, 0};
     const plt_source source = {streamed ? NULL : copy, size, &stream, hostile_start, hostile_wait};
     const plt_options options = {.packet_side = 2,
@@ -71,7 +72,7 @@ static inline hostile_result hostile_try_textures(const unsigned char *bytes, ui
                                  .texture_bytes = HOSTILE_TEXTURE_ROOM};
     memcpy(copy, bytes, size);
     const size_t arena_bytes = hostile_arena_bytes(&source, &options);
-    void *arena = malloc(arena_bytes);
+    void *arena = room_get(arena_bytes);
     plt_engine *e = NULL;
     r.status = plt_open(&e, arena, arena_bytes, &source, &options, &r.fault);
     r.sentence =

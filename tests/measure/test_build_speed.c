@@ -11,6 +11,7 @@
 #include "host_tools/base/clock.h"
 #include "host_tools/pack/pack.h"
 #include "tests/measure/meshes.h"
+#include "tests/reference/room.h"
 
 enum { ROUNDS = 5, K = 2, N = 64 };
 
@@ -27,7 +28,7 @@ static double thesis_seconds(const plt_record *records, uint32_t count) {
     job.room = plt_build_slots_bound(nodes, N);
     job.scratch_bytes = plt_build_scratch_bytes(nodes, N);
     job.nodes = malloc((size_t)(job.room + 1) * sizeof *job.nodes);
-    job.scratch = malloc(job.scratch_bytes);
+    job.scratch = room_get(job.scratch_bytes);
     job.records = malloc(count * sizeof *job.records);
     int status = job.nodes && job.scratch && job.records ? PLT_OK : PLT_ERR_ARENA;
     for (int i = 0; i < ROUNDS && status == PLT_OK; i++) {
@@ -59,8 +60,8 @@ static unsigned char *lattice_corners(const plt_record *records, uint32_t count)
 
 static double blocks_seconds(const plt_record *records, uint32_t count) {
     const size_t bytes = (size_t)48 * count + 65536;
-    unsigned char *corners = lattice_corners(records, count), *memory = malloc(bytes);
-    void *scratch = malloc(plt_blocks_scratch_bytes(count));
+    unsigned char *corners = lattice_corners(records, count), *memory = room_get(bytes);
+    void *scratch = room_get(plt_blocks_scratch_bytes(count));
     double best = 0.0;
     int status = corners && memory && scratch ? PLT_OK : PLT_ERR_ARENA;
     for (int i = 0; i < ROUNDS && status == PLT_OK; i++) {

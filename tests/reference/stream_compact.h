@@ -6,6 +6,7 @@
 
 #include "tests/reference/compact_hostile.h"
 #include "tests/reference/compact_rig.h"
+#include "tests/reference/room.h"
 #include "tests/reference/shapes.h"
 #include "tests/reference/stream_rig.h"
 
@@ -49,7 +50,7 @@ static inline void forge_versions(changing *c, const subject *s) {
     const uint32_t blocks = s->image.info.node_bytes + s->image.info.triangle_bytes;
     for (unsigned i = 0; i < VERSIONS; i++) {
         packed copy = s->image;
-        copy.bytes = c->version[i] = malloc(s->image.size);
+        copy.bytes = c->version[i] = room_get(s->image.size);
         memcpy(copy.bytes, s->image.bytes, s->image.size);
         for (unsigned times = 0; i > 0 && times < 6; times++) {
             forge(&copy, blocks, &c->random);
