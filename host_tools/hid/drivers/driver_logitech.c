@@ -51,14 +51,14 @@ static void take_stick(display *d, const uint8_t at[2]) {
     }
 }
 
-/* The round key's byte and bit, and those of the row's first key; what to add to either for the
- * next. */
+/* The round key's byte and bit, and those of the row's first key; the next is in the next byte
+ * (`by_bytes`), or bit. */
 static void take_bits(display *d, const uint8_t *report, unsigned byte, unsigned bit,
-                      unsigned row_byte, unsigned row_bit, int next_is_a_byte) {
+                      unsigned row_byte, unsigned row_bit, int by_bytes) {
     keys_set(&d->keys, ROUND, report[byte] >> bit & 1);
     for (unsigned key = 0; key < ROW_KEYS; key++) {
-        const unsigned at = row_byte + (next_is_a_byte ? key : 0);
-        keys_set(&d->keys, ROW + key, report[at] >> (row_bit + (next_is_a_byte ? 0 : key)) & 1);
+        const unsigned at = row_byte + (by_bytes ? key : 0);
+        keys_set(&d->keys, ROW + key, report[at] >> (row_bit + (by_bytes ? 0 : key)) & 1);
     }
 }
 

@@ -142,7 +142,8 @@ static void lower_image(const picture *panel, const layout *of, picture *to) {
 
 /* ---- files ------------------------------------------------------------------------------ */
 
-/* Its size; the file is of the quality that the room allows. */
+/* Its size; the file is of the quality that the room allows. That of the lowest has room
+ * (driver_corsair_lcd.c); 0 is for no file beyond it, whatever comes. */
 static size_t jpeg_of(deck *k, const picture *p) {
     const size_t budget = (size_t)p->width * p->height * 3 / 2;
     const size_t room = budget < k->room ? budget : k->room;
@@ -151,7 +152,7 @@ static size_t jpeg_of(deck *k, const picture *p) {
     if (bytes > room) {
         bytes = jpeg_fit(p, JPEG_420, JPEG_QUALITY_LEAST, QUALITY_MOST, &quality, k->file, room);
     }
-    return bytes;
+    return bytes <= room ? bytes : 0;
 }
 
 static void put_u16(uint8_t *to, size_t value) {
