@@ -22,7 +22,7 @@ WEB_SOURCES := $(filter-out $(WEB_LEFT_OUT),$(ENGINE)) platform/bare/memory.c \
     $(addprefix host_tools/picture/,fit.c jpeg.c jpeg_block.c jpeg_codes.c picture.c) \
     $(addprefix host_tools/hid/device/,display.c keys.c symbols.c) \
     $(addprefix host_tools/hid/drivers/,deck_keys.c driver_streamdeck.c driver_streamdeck_mini.c \
-        key_bmp.c)
+        driver_streamdeck_original.c key_bmp.c planelet_link.c)
 
 web_flags_scalar :=
 web_flags_wasm := $(call lanes_needs,wasm) -DPLT_LANES='"$(call lanes_header,wasm)"'

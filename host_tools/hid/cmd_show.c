@@ -202,7 +202,10 @@ static int open_all(showing *s, args *a, fail *f) {
     if (json != NULL && (s->stats_out = output_open_text(json, f)) == NULL) {
         return -1;
     }
-    return session_open(&s->session, f);
+    if (session_open(&s->session, f) != 0) {
+        return -1;
+    }
+    return args_has(a, "--release") ? session_can_release(&s->session, f) : 0;
 }
 
 static int write_stats(showing *s, double seconds, fail *f) {
@@ -224,6 +227,10 @@ static int run_all(showing *s, args *a, fail *f) {
     const double seconds = clock_seconds() - began;
     progress_end(&s->bar);
     if (status != 0) {
+        fail unsaid = {""}; /* what ended the show is said */
+        if (args_has(a, "--release") && s->session.display.port != NULL) {
+            session_release(&s->session, &unsaid);
+        }
         return -1;
     }
     statistics_print(&s->statistics, &s->session, seconds);

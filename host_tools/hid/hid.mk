@@ -128,6 +128,11 @@ streamdeck-peers: all $(OUT)/tests/measure/test_hid_deck_reports
 	@BUILD='$(BUILD)' PROGRAM='$(OUT)/tests/measure/test_hid_deck_reports' \
 	    sh tests/measure/streamdeck_peers.sh
 
+##measure hid-budgets: reports per frame of every display, and frames per second they leave room for
+.PHONY: hid-budgets
+hid-budgets: $(OUT)/tests/measure/test_hid_budgets
+	@$<
+
 ##test test-hid: the USB bench alone; HID_GROUPS=cross,unplugged picks some of its groups
 .PHONY: test-hid
 test-hid: all

@@ -12,13 +12,9 @@
 #include "host_tools/web/wire_host.h"
 
 /* Those whose reports a page may send: drivers that wait for their device are for programs. */
-static const driver *const of_page[] = {&driver_wire_host,
-                                        &driver_streamdeck_mini,
-                                        &driver_streamdeck,
-                                        &driver_streamdeck_xl,
-                                        &driver_streamdeck_neo,
-                                        &driver_streamdeck_plus,
-                                        NULL};
+static const driver *const of_page[] = {
+    &driver_wire_host,     &driver_streamdeck_mini, &driver_streamdeck_original, &driver_streamdeck,
+    &driver_streamdeck_xl, &driver_streamdeck_neo,  &driver_streamdeck_plus,     NULL};
 
 static display shown;
 static keys_track track;

@@ -212,6 +212,96 @@ static void places(void) {
     is_placed("1-2.3333333333333333333333333333333333333333333333333333333333333333:1.0", "");
 }
 
+/* ---- which devices ----------------------------------------------------------------------- */
+
+typedef struct owned {
+    uint16_t vendor, id;
+    int interface;
+    const char *driver; /* NULL: none is for it */
+} owned;
+
+static const owned devices[] = {{0x1038, 0x12CB, 4, "nova"},
+                                {0x1038, 0x12CD, 4, "nova"},
+                                {0x1038, 0x12E0, 4, "nova"},
+                                {0x1038, 0x12E5, 4, "nova"},
+                                {0x1038, 0x12FA, 4, "nova"},
+                                {0x1038, 0x225D, 4, "nova"},
+                                {0x1038, 0x2244, 3, "nova-elite"},
+                                {0x1038, 0x2290, 3, "nova-elite"},
+                                {0x1038, 0x1610, 1, "apex"},
+                                {0x1038, 0x1612, 1, "apex"},
+                                {0x1038, 0x1614, 1, "apex"},
+                                {0x1038, 0x1618, 1, "apex"},
+                                {0x1038, 0x161C, 1, "apex"},
+                                {0x1038, 0x1628, 1, "apex-2023"},
+                                {0x1038, 0x1642, 1, NULL},
+                                {0x1038, 0x1644, 1, NULL},
+                                {0x1038, 0x1646, 1, NULL},
+                                {0x046D, 0xC21C, 0, "logitech"},
+                                {0x046D, 0xC22D, 1, "logitech"},
+                                {0x046D, 0xC22E, 1, "logitech"},
+                                {0x04D8, 0xC002, 0, "picolcd"},
+                                {0x1B1C, 0x1B8E, 0, "nexus"},
+                                {0x0FD9, 0x0060, 0, "streamdeck-original"},
+                                {0x0FD9, 0x0063, 0, "streamdeck-mini"},
+                                {0x0FD9, 0x0090, 0, "streamdeck-mini"},
+                                {0x0FD9, 0x00B3, 0, "streamdeck-mini"},
+                                {0x0FD9, 0x00B8, 0, "streamdeck-mini"},
+                                {0x0FD9, 0x006D, 0, "streamdeck"},
+                                {0x0FD9, 0x0080, 0, "streamdeck"},
+                                {0x0FD9, 0x00A5, 0, "streamdeck"},
+                                {0x0FD9, 0x00B9, 0, "streamdeck"},
+                                {0x0FD9, 0x006C, 0, "streamdeck-xl"},
+                                {0x0FD9, 0x008F, 0, "streamdeck-xl"},
+                                {0x0FD9, 0x00BA, 0, "streamdeck-xl"},
+                                {0x0FD9, 0x009A, 0, "streamdeck-neo"},
+                                {0x0FD9, 0x0084, 0, "streamdeck-plus"},
+                                {0x1B1C, 0x0C33, 0, "corsair-lcd"},
+                                {0x1B1C, 0x0C39, 0, "corsair-lcd"},
+                                {0x1B1C, 0x0C42, 0, "corsair-lcd"},
+                                {0x1B1C, 0x0C43, 0, "corsair-lcd"},
+                                {0x1B1C, 0x0C4E, 0, "corsair-lcd"},
+                                {0x1B1C, 0x0C55, 0, "corsair-lcd"},
+                                {0x1B1C, 0x0C57, 0, "corsair-lcd"}};
+
+/* Of these the interface with the panel is not known. */
+static const owned any_interface[] = {{0x046D, 0xC222, 0, "logitech"},
+                                      {0x046D, 0xC227, 0, "logitech"},
+                                      {0x046D, 0x0A07, 0, "logitech"},
+                                      {0x046D, 0xC251, 0, "logitech"}};
+
+static const char *name_for(const owned *o, int interface) {
+    const port_info info = {.vendor = o->vendor, .id = o->id, .interface = interface};
+    const driver *by = driver_for(drivers, &info);
+    return by == NULL ? "none" : by->name;
+}
+
+static void owned_displays(void) {
+    test("displays that people own, by ids and interface, have their drivers, and no others");
+    for (unsigned i = 0; i < sizeof devices / sizeof devices[0]; i++) {
+        const owned *o = &devices[i];
+        for (int interface = -1; interface < 6; interface++) {
+            const int is_it = o->driver != NULL && (interface < 0 || interface == o->interface);
+            CHECK(strcmp(name_for(o, interface), is_it ? o->driver : "none") == 0,
+                  "%04x:%04x, interface %d: %s", o->vendor, o->id, interface,
+                  name_for(o, interface));
+        }
+    }
+    for (unsigned i = 0; i < sizeof any_interface / sizeof any_interface[0]; i++) {
+        for (int interface = -1; interface < 6; interface++) {
+            CHECK(strcmp(name_for(&any_interface[i], interface), "logitech") == 0, "%04x",
+                  any_interface[i].id);
+        }
+    }
+    unsigned ids = 0;
+    for (unsigned i = 1; drivers[i] != NULL; i++) { /* but Planelet's own */
+        for (const driver_id *id = drivers[i]->ids; id->vendor != 0; id++) {
+            ids++;
+        }
+    }
+    CHECK(ids == sizeof devices / sizeof devices[0] - 3 + 4, "%u ids", ids);
+}
+
 int main(void) {
     finding();
     interfaces();
@@ -219,5 +309,6 @@ int main(void) {
     collections();
     again();
     places();
+    owned_displays();
     return test_done();
 }

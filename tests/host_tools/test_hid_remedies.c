@@ -417,12 +417,17 @@ static void showing(void) {
     says(&f, "it has no picture of its own; leave out --release");
     start_again(&s);
 
-    test("it went before it had its own picture back: plug it in again");
+    test("it refuses its own picture, or went before it had it back: plug it in again");
     model *mini = model_make(&model_mini, (model_shape){0});
     const fake_device own = device_of(&mini, "1-2:1.0");
     fake_plug(1, &own);
     s = wish_for("1-2:1.0", NULL, -1);
     CHECK(session_open(&s, &f) == 0 && shows(&s, &f), "%s", f.text);
+    fake_bus.refuse_features = UINT32_MAX;
+    CHECK(session_release(&s, &f) != 0, "released");
+    says(&f, "refuses to show its own picture again; plug it in again, which gives it back, too");
+    f = (fail){""};
+    fake_bus.refuse_features = 0;
     fake_unplug(1);
     CHECK(session_release(&s, &f) != 0, "released");
     says(&f,

@@ -192,15 +192,18 @@ static void stops_waiting(const model_kind *kind) {
     close_bench(&b);
 }
 
-static void stops_sending(const model_kind *kind) {
+/* `slow_ms` of a report, and when the signal comes. */
+static void stops_sending(const model_kind *kind, unsigned slow_ms, unsigned ms) {
     bench b;
     fail f = {""};
     open_bench(&b, kind);
     b.session.display.stop = b.session.stop = &stop;
-    fake_bus.slow_us = 30000;
-    alarm_in(100);
+    fake_bus.slow_us = 1000 * slow_ms;
+    alarm_in(ms);
     CHECK(show(&b, 1, &f) == 0 && session_confirm(&b.session, &f) == 0, "%s", f.text);
     ends_soon(kind, &f, "");
+    CHECK(kind != &model_nova || model_shows_pattern(b.model, 1, 1) == 1, "half a picture");
+    CHECK(b.session.reconnects == 0, "opened anew");
     close_bench(&b);
 }
 
@@ -258,6 +261,31 @@ static void unplugged_at_rest(const model_kind *kind) {
     close_bench(&b);
 }
 
+static void release_refused(const model_kind *kind) {
+    bench b;
+    fail f = {""};
+    open_bench(&b, kind);
+    CHECK(show(&b, 1, &f) == 0, "%s", f.text);
+    fake_bus.refuse_reports = 3;
+    CHECK(session_release(&b.session, &f) == 0 && b.model->releases == 1, "%s: %s", kind->name,
+          f.text);
+    refuse_all();
+    const double began = clock_seconds();
+    CHECK(session_release(&b.session, &f) != 0, "%s: released", kind->name);
+    const double took = clock_seconds() - began;
+    CHECK(took > 0.9 && took < 2.0, "%s: %.3f s", kind->name, took);
+    CHECK(strstr(f.text, "refuses to show its own picture again"), "%s: %s", kind->name, f.text);
+    f = (fail){""};
+    b.session.stop = &stop;
+    alarm_in(100);
+    CHECK(session_release(&b.session, &f) != 0, "%s: released", kind->name);
+    ends_soon(kind, &f, "refuses to show its own picture again");
+    fake_bus.refuse_outputs = fake_bus.refuse_features = 0;
+    CHECK(session_release(&b.session, &f) == 0 && b.model->releases == 2, "%s: once, after a stop",
+          kind->name);
+    close_bench(&b);
+}
+
 static void no_brightness(void) {
     fail f = {""};
     test("brightness of a display that has none is an error that says so");
@@ -301,8 +329,10 @@ int main(void) {
         stops_waiting(kinds[i]);
     }
     test("... and a picture whose reports take 30 ms each");
-    stops_sending(&model_nexus);
-    stops_sending(&model_mini);
+    stops_sending(&model_nexus, 30, 100);
+    stops_sending(&model_mini, 30, 100);
+    test("... and one that comes between two windows leaves no half, and is no failure");
+    stops_sending(&model_nova, 60, 30);
     barred();
     test("a panel that lost its picture is whole again in two seconds, though nothing changes");
     for (unsigned i = 0; i < KINDS; i++) {
@@ -312,6 +342,10 @@ int main(void) {
     for (unsigned i = 0; i < KINDS; i++) {
         unplugged_at_rest(kinds[i]);
     }
+    test("a display that refuses to show its own picture again: some tries, a limit, a sentence");
+    release_refused(&model_mini);
+    release_refused(&model_nova);
+    release_refused(&model_nexus);
     no_brightness();
     return test_done();
 }

@@ -28,6 +28,27 @@ static void stranger(void) {
     CHECK(fake_bus.open == 0, "it stays open");
 }
 
+static size_t chatter(void *context, uint8_t *report, size_t room) {
+    (void)context;
+    memset(report, 0x5A, room < 64 ? room : 64);
+    return room < 64 ? room : 64;
+}
+
+static void talker(void) {
+    fail f = {""};
+    test("... and one that never stops to report what no Planelet display says, as soon");
+    static const fake_device other = {
+        .path = "1-1:1.0", .vendor = 0x1209, .product = 1, .output = swallow, .input = chatter};
+    fake_bus_reset();
+    fake_plug(0, &other);
+    session s = {.wish.drivers = drivers, .brightness = -1};
+    const double began = clock_seconds();
+    CHECK(session_open(&s, &f) == -1 && strstr(f.text, "does not answer"), "%s", f.text);
+    CHECK(clock_seconds() - began < 4.0, "%.1f s", clock_seconds() - began);
+    session_close(&s);
+    CHECK(fake_bus.open == 0, "it stays open");
+}
+
 static void end_output(void *context, const uint8_t *report, size_t bytes) {
     wire_on_report(context, report, bytes, clock_ms());
 }
@@ -68,6 +89,7 @@ static void large(void) {
 
 int main(void) {
     stranger();
+    talker();
     large();
     return test_done();
 }

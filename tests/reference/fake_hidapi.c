@@ -244,6 +244,7 @@ int hid_send_feature_report(hid_device *h, const unsigned char *data, size_t len
         return -1;
     }
     fake_bus.features++;
+    clock_sleep(1e-6 * fake_bus.slow_us);
     if (is_refused(&fake_bus.refuse_features) || d != behind(h)) {
         return -1;
     }

@@ -47,7 +47,7 @@ extern struct fake_bus {
     unsigned stall_ms;        /* the next report takes so long, and then fails; 0: no */
     unsigned late_ms;         /* feature reports are carried out, but so much later reported as
                                * failed; 0: never */
-    unsigned slow_us;         /* every write takes so long */
+    unsigned slow_us;         /* every report takes so long */
     int denied;               /* enumeration shows devices, no open works */
     /* Before each output or feature report, of whatever device; and whenever time may have passed.
      * Both may be NULL. */

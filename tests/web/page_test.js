@@ -245,6 +245,7 @@ async function main() {
     await turned();
     await wrong();
     await deck("streamdeck-mini", "0063", "240x160");
+    await deck("streamdeck-original", "0060", "360x216");
     await deck("streamdeck", "0080", "360x216");
     await deck("streamdeck-plus", "0084", "480x300");
     await panel();

@@ -16,6 +16,13 @@ void keys_set(keys_state *s, unsigned key, int is_down) {
     }
 }
 
+void keys_step(keys_state *s, unsigned key, unsigned times) {
+    for (unsigned i = 0; i < times && i < PRESSES_MOST; i++) {
+        keys_set(s, key, 1);
+        keys_set(s, key, 0);
+    }
+}
+
 /* Of a key that has not changed. */
 static unsigned repeats(keys_track *t, unsigned key, double clock) {
     if (clock < t->due[key]) {

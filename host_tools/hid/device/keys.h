@@ -11,7 +11,7 @@
 
 #include "host_tools/app/steer.h"
 
-enum { KEYS_MOST = 16 };
+enum { KEYS_MOST = 20 };
 
 /* What a driver knows of a key. */
 typedef struct display_key {
@@ -27,6 +27,9 @@ typedef struct keys_state {
 
 /* A report says that the key is down, or up. */
 void keys_set(keys_state *s, unsigned key, int is_down);
+
+/* What has steps, a dial or a finger that moves: the key was pressed so often, up to 8 times. */
+void keys_step(keys_state *s, unsigned key, unsigned times);
 
 typedef struct keys_track {
     keys_state seen;

@@ -24,8 +24,9 @@
 enum { KEPT_BYTES = 64 };
 
 /* A feature report that takes so long to fail was carried out but not acknowledged: the system's
- * own limits are one second (libusb) and five. A refusal comes at once. */
-static const double LATE = 0.1;
+ * own limits are one second (libusb) and five. A refusal comes at once, on a busy machine a little
+ * later. */
+static const double LATE = 0.18;
 
 struct port {
     hid_device *device;
@@ -117,12 +118,12 @@ unsigned port_list(port_info **list) {
 }
 
 /* hidapi gives no reason for a failed open (its error text may even say "Success"), so
- * look for it: of a path that is a file by the file's mode; any other path is
- * libusb's. */
+ * look for it: of a node by its mode; any other path is libusb's, and no file of the
+ * folder where we are. */
 static int say_refusal(const port_info *info, fail *f) {
-    const int is_file = access(info->path, F_OK) == 0;
-    const int barred = is_file ? access(info->path, R_OK | W_OK) != 0 : geteuid() != 0;
-    if (!is_file && info->path[0] == '/') {
+    const int is_node = strchr(info->path, '/') != NULL;
+    const int barred = is_node ? access(info->path, R_OK | W_OK) != 0 : geteuid() != 0;
+    if (is_node && access(info->path, F_OK) != 0) {
         return fail_set(f, info->path, "%04x:%04x went away; plug it in again", info->vendor,
                         info->id);
     }

@@ -14,6 +14,7 @@
 static const double LOOK_SECONDS = 0.1;
 static const double RENEWAL_SECONDS = 1.5; /* in which every piece is sent again */
 static const double PAUSE_MOST = 0.5;      /* seconds between two pieces of a slow link */
+static const double RELEASE_SECONDS = 1.0; /* of tries, should the display refuse */
 
 static int set_brightness(session *s, fail *f) {
     const driver *by = s->display.by;
@@ -257,21 +258,38 @@ void session_steer(session *s, unsigned count[STEER_ACTIONS]) {
     }
 }
 
-int session_release(session *s, fail *f) {
+int session_can_release(const session *s, fail *f) {
     const driver *by = s->display.by;
-    if (by->release == NULL) {
-        return fail_set(f, by->name, "it has no picture of its own; leave out --release");
+    return by->release != NULL
+               ? 0
+               : fail_set(f, by->name, "it has no picture of its own; leave out --release");
+}
+
+/* The first try is made in any case: a signal is what mostly ends a program. */
+int session_release(session *s, fail *f) {
+    display *d = &s->display;
+    int status = DISPLAY_GONE, is_there = 1;
+    retry tries;
+    if (session_can_release(s, f) != 0) {
+        return -1;
     }
-    if (s->display.port == NULL) {
+    if (d->port == NULL) {
         return fail_set(f, s->info.path, "stopped before the display was back");
     }
-    const int result = by->release(&s->display, f);
-    if (result == DISPLAY_GONE) {
-        return fail_set(f, s->info.path,
-                        "went away before it had its own picture back; plug it in again, which "
-                        "gives it back, too");
+    retry_begin(&tries, RELEASE_SECONDS, NULL);
+    while (status == DISPLAY_GONE && is_there && retry_next(&tries, LOOK_SECONDS) == RETRY_AGAIN) {
+        status = d->by->release(d, f);
+        is_there = status != DISPLAY_GONE || display_tick(d) == DISPLAY_OK;
+        tries.stop = s->stop;
     }
-    return result == DISPLAY_FAILED ? -1 : 0;
+    if (status == DISPLAY_GONE) {
+        return fail_set(f, s->info.path,
+                        is_there ? "refuses to show its own picture again; plug it in again, which "
+                                   "gives it back, too"
+                                 : "went away before it had its own picture back; plug it in "
+                                   "again, which gives it back, too");
+    }
+    return status == DISPLAY_FAILED ? -1 : 0;
 }
 
 void session_statistics(const session *s, port_statistics *statistics) {

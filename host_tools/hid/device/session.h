@@ -66,8 +66,10 @@ int session_tick(session *s);
  * session_tick. */
 void session_steer(session *s, unsigned count[STEER_ACTIONS]);
 
-/* The device's own picture again, where it has one. */
+/* The device's own picture again, where it has one. A display that refuses is asked for a second,
+ * or until `stop`. */
 int session_release(session *s, fail *f);
+int session_can_release(const session *s, fail *f);
 
 void session_statistics(const session *s, port_statistics *statistics);
 void session_close(session *s); /* also after a failed open */

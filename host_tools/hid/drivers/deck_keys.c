@@ -28,4 +28,8 @@ const display_key deck_keys_120[] = {KEYS_OF(120),
                                      {"second dial to the right", STEER_UP, 0, 0},
                                      {"third dial to the left", STEER_FARTHER, 0, 0},
                                      {"third dial to the right", STEER_NEARER, 0, 0},
+                                     {"swipe to the left", STEER_RIGHT, 0, 0},
+                                     {"swipe to the right", STEER_LEFT, 0, 0},
+                                     {"strip, touched", STEER_STILL, 0, 0},
+                                     {"strip, held", STEER_RESET, 0, 0},
                                      {NULL, STEER_LEFT, 0, 0}};

@@ -40,8 +40,8 @@ typedef struct corsair_lcd {
     uint8_t file[3 * PIXELS / 2];
 } corsair_lcd;
 
-/* With the lowest quality steps are 255, coefficients 0 or 1 of either sign, with codes of 3 bits
- * at most for each: however wild the picture is, its file has room. */
+/* With the lowest quality steps are 255. A block's samples have energy for 64 coefficients of 1 or
+ * -1, 3 bits each; a 2 takes that of nine. However wild the picture is, its file has room. */
 static size_t jpeg_of(corsair_lcd *l, const picture *p) {
     unsigned quality;
     const size_t bytes =

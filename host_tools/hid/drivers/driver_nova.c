@@ -40,10 +40,11 @@ static const double LONGEST = 5.0; /* seconds that tries may begin in */
 static int send_feature(display *d, const uint8_t *report) {
     retry tries;
     int status = PORT_GONE;
-    retry_begin(&tries, LONGEST, d->stop);
+    retry_begin(&tries, LONGEST, NULL);
     while (status != PORT_OK && tries.tries < TRIES &&
            retry_next(&tries, 1e-3 * (tries.tries * tries.tries)) == RETRY_AGAIN) {
         status = port_feature(d->port, report, FEATURE_BYTES);
+        tries.stop = d->stop; /* not before: a signal between two windows would leave half */
     }
     return status;
 }

@@ -9,8 +9,9 @@
  *     0  95  chip * 4 + 1  00 00 20                            5  32 bytes
  *
  * Only pages that changed since the last picture are sent. Brightness, 0 to
- * 255, is output report 91 of 2 bytes. Where the system has its own driver
- * for this display (hid-picolcd of Linux), that has to let go of it first.
+ * 255, is output report 91 of 2 bytes. Input report 11 has the numbers of up to
+ * two keys that are down, of a matrix of which five are there. Where the system has its
+ * own driver for this display (hid-picolcd of Linux), that has to let go of it first.
  *
  * Source: hid-picolcd of the Linux kernel (B. Premont), facts only. Not run on
  * hardware.
@@ -31,7 +32,8 @@ enum {
     BRIGHTNESS = 0x91,
     COMMAND = 0x94,
     DATA = 0x95,
-    COMMAND_DATA = 0x96
+    COMMAND_DATA = 0x96,
+    INPUT = 0x11
 };
 
 typedef struct picolcd {
@@ -89,6 +91,23 @@ static int picolcd_brightness(display *d, unsigned percent, fail *f) {
     return display_status(port_output(d->port, report, sizeof report));
 }
 
+static const display_key keys[] = {{"back", STEER_FARTHER, 0, 0},      {"home", STEER_RESET, 0, 0},
+                                   {"scroll up", STEER_LEFT, 0, 0},    {"OK", STEER_NEARER, 0, 0},
+                                   {"scroll down", STEER_RIGHT, 0, 0}, {NULL, STEER_LEFT, 0, 0}};
+static const uint8_t key_numbers[] = {1, 2, 5, 6, 7}; /* of `keys` */
+
+static void take_report(display *d, const uint8_t *report, size_t bytes) {
+    if (bytes >= 3 && report[0] == INPUT) {
+        for (unsigned key = 0; key < sizeof key_numbers; key++) {
+            keys_set(&d->keys, key, report[1] == key_numbers[key] || report[2] == key_numbers[key]);
+        }
+    }
+}
+
+static int picolcd_tick(display *d) {
+    return display_hear(d, take_report);
+}
+
 static void picolcd_close(display *d) {
     free(d->state);
     d->state = NULL;
@@ -123,5 +142,7 @@ const driver driver_picolcd = {.name = "picolcd",
                                .open = picolcd_open,
                                .show = picolcd_show,
                                .forget = picolcd_forget,
+                               .tick = picolcd_tick,
+                               .keys = keys,
                                .brightness = picolcd_brightness,
                                .close = picolcd_close};

@@ -1,16 +1,13 @@
 /* driver_planelet - a display that speaks Planelet's own wire (platform/WIRE.md)
  *
- * Keeps: `frame` is what the wire reads, and changes only when the wire has
- * put all of it into reports.
+ * What waits, and for how long; the rest is planelet_link.h's.
  *
  * SPDX-License-Identifier: MIT */
 #include <stdlib.h>
-#include <string.h>
 
 #include "host_tools/base/clock.h"
 #include "host_tools/hid/drivers/drivers.h"
-#include "host_tools/hid/drivers/planelet_keys.h"
-#include "platform/wire/wire.h"
+#include "host_tools/hid/drivers/planelet_link.h"
 
 enum {
     WAIT_MS = 2,
@@ -20,53 +17,43 @@ enum {
     SLOW_BYTES = 4,  /* half of what the slowest USB link carries */
     IN_BYTES = 64,   /* at most: hidapi on libusb reads a packet of full speed */
     RENEW_MS = 20,   /* between two tiles that are sent again while nothing else is to be sent */
-    WINDOW = 32
+    TICK_MS = 100    /* that a tick may send for, however often the device asks again */
 };
 
 typedef struct planelet {
-    wire_peer peer;
-    wire_frames_out out;
-    wire_keys_in keys;
-    picture frame;
+    planelet_link link;
     uint8_t *shown;   /* what the panel shows, for tiles that say only what differs */
     uint32_t begun;   /* ms: when the call that waits now began */
     uint32_t whole;   /* ms: the longest a picture may take; a lossy link may never finish it */
     uint32_t renewed; /* ms: when a tile was last sent again */
-    uint8_t report[1 + WIRE_REPORT_BYTES_MAX];
 } planelet;
 
-/* Reads all reports that came, waiting for the first; PORT_OK or PORT_GONE. */
-static int read_reports(display *d, unsigned wait_ms) {
+static void take_report(display *d, const uint8_t *report, size_t bytes) {
     planelet *p = d->state;
-    uint8_t report[IN_BYTES];
-    for (;;) {
-        const int bytes = port_input(d->port, report, sizeof report, wait_ms);
-        if (bytes <= 0) {
-            return bytes == 0 ? PORT_OK : PORT_GONE;
-        }
-        wire_on_report(&p->peer, report, (size_t)bytes, clock_ms());
-        memcpy(d->keys.changes, p->keys.changes, sizeof p->keys.changes);
-        wait_ms = 0;
-    }
+    planelet_link_take(&p->link, d, report, bytes);
 }
 
-/* Sends the next report, if one may go. One that the system accepted only in part is
- * lost, and the wire sends its content again. */
+/* Waits for a report, and reads what else came; PORT_OK or PORT_GONE. */
+static int read_reports(display *d, unsigned wait_ms) {
+    uint8_t report[IN_BYTES];
+    const int bytes = port_input(d->port, report, sizeof report, wait_ms);
+    if (bytes <= 0) {
+        return bytes == 0 ? PORT_OK : PORT_GONE;
+    }
+    take_report(d, report, (size_t)bytes);
+    return display_hear(d, take_report) == DISPLAY_OK ? PORT_OK : PORT_GONE;
+}
+
+/* One that the system accepted only in part is lost, and the wire sends its content again. */
 static int send_report(display *d, int *sent) {
     planelet *p = d->state;
-    const size_t bytes = wire_next_report(&p->peer, p->report + 1, clock_ms());
-    *sent = bytes > 0;
-    if (bytes == 0) {
-        return PORT_OK;
-    }
-    p->report[0] = 0;
-    return port_output(d->port, p->report, bytes + 1) == PORT_GONE ? PORT_GONE : PORT_OK;
+    return planelet_link_send(&p->link, d->port, sent) == PORT_GONE ? PORT_GONE : PORT_OK;
 }
 
 /* Sends one report, then reads all that came; waits only if none was sent. */
 static int exchange(display *d, unsigned wait_ms, int *sent) {
     planelet *p = d->state;
-    wire_poll(&p->peer, clock_ms());
+    wire_poll(&p->link.peer, clock_ms());
     const int status = send_report(d, sent);
     return status == PORT_OK ? read_reports(d, *sent ? 0 : wait_ms) : status;
 }
@@ -75,8 +62,8 @@ static int exchange(display *d, unsigned wait_ms, int *sent) {
  * again. */
 static int is_other_size(const display *d) {
     const planelet *p = d->state;
-    const wire_caps *peer = wire_other(&p->peer);
-    return d->width > 0 && wire_is_up(&p->peer) &&
+    const wire_caps *peer = wire_other(&p->link.peer);
+    return d->width > 0 && wire_is_up(&p->link.peer) &&
            (peer->width != d->width || peer->height != d->height);
 }
 
@@ -86,7 +73,7 @@ static int is_other_size(const display *d) {
  * `stop` was set. */
 static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned patience_ms) {
     planelet *p = d->state;
-    uint32_t heard = p->peer.stats.reports_in, since = clock_ms();
+    uint32_t heard = p->link.peer.stats.reports_in, since = clock_ms();
     while (!is_so(p) && !is_other_size(d)) {
         int sent;
         if (clock_ms() - p->begun > p->whole) {
@@ -98,8 +85,8 @@ static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned 
         if (exchange(d, WAIT_MS, &sent) != PORT_OK) {
             return DISPLAY_GONE;
         }
-        if (p->peer.stats.reports_in != heard) {
-            heard = p->peer.stats.reports_in;
+        if (p->link.peer.stats.reports_in != heard) {
+            heard = p->link.peer.stats.reports_in;
             since = clock_ms();
         } else if (clock_ms() - since > patience_ms) {
             return DISPLAY_GONE;
@@ -113,7 +100,7 @@ static int exchange_until(display *d, int (*is_so)(const planelet *p), unsigned 
 static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
     const int status = exchange_until(d, is_so, STUCK_MS);
     if (status == DISPLAY_OK && is_other_size(d)) {
-        const wire_caps *peer = wire_other(&((planelet *)d->state)->peer);
+        const wire_caps *peer = wire_other(&((planelet *)d->state)->link.peer);
         return fail_set(f, NULL, "the display changed its size to %u x %u; start again",
                         peer->width, peer->height);
     }
@@ -126,43 +113,26 @@ static int deliver(display *d, int (*is_so)(const planelet *p), fail *f) {
 }
 
 static int is_up(const planelet *p) {
-    return wire_is_up(&p->peer);
+    return wire_is_up(&p->link.peer);
 }
 
 static int is_idle(const planelet *p) {
-    return !wire_is_up(&p->peer) || wire_frames_out_idle(&p->out);
+    return !wire_is_up(&p->link.peer) || wire_frames_out_idle(&p->link.out);
 }
 
 static int is_done(const planelet *p) {
-    return !wire_is_up(&p->peer) || wire_frames_out_done(&p->out);
+    return !wire_is_up(&p->link.peer) || wire_frames_out_done(&p->link.out);
 }
 
-/* A number that no session had before: the time of day in microseconds. */
-static uint32_t session_number(void) {
-    return (uint32_t)clock_day_us();
-}
-
-/* If a device's descriptor is not known, its reports are assumed to have 64 bytes. */
 static int open_end(planelet *p, report_sizes sizes, fail *f) {
-    const unsigned out = sizes.out > 0 ? sizes.out : 64, in = sizes.in > 0 ? sizes.in : IN_BYTES;
-    const wire_setup setup = {.role = WIRE_HOST,
-                              .caps = {.session = session_number(),
-                                       .in_bytes = (uint16_t)in,
-                                       .out_bytes = (uint16_t)out,
-                                       .features = WIRE_SENDS,
-                                       .credits = WINDOW}};
-    if (in > IN_BYTES || out > WIRE_REPORT_BYTES_MAX ||
-        wire_peer_open(&p->peer, &setup, clock_ms()) != WIRE_OK) {
+    if (planelet_link_open(&p->link, &sizes, IN_BYTES) != 0) {
         return fail_set(f, NULL,
                         "reports of %u bytes out and %u in are not for the planelet driver (8 to "
                         "1024 and 8 to 64); choose another with --driver",
-                        out, in);
+                        sizes.out, sizes.in);
     }
     p->begun = clock_ms();
     p->whole = UINT32_MAX; /* the greeting has a limit of its own */
-    wire_frames_out_open(&p->out, &p->peer);
-    wire_keys_in_open(&p->keys, &p->peer);
-    wire_on_link(&p->peer, 1, clock_ms());
     return DISPLAY_OK;
 }
 
@@ -176,12 +146,13 @@ static int greet(display *d, fail *f) {
                  "choose another with --device or --driver");
         return status;
     }
-    const wire_caps *peer = wire_other(&p->peer);
-    if (!(peer->features & WIRE_SHOWS)) {
+    const wire_caps *peer = wire_other(&p->link.peer);
+    unsigned tiles;
+    const enum planelet_panel panel = planelet_link_panel(&p->link, &tiles);
+    if (panel == PLANELET_NO_PANEL) {
         return fail_set(f, NULL, "the device has no display; choose another with --device");
     }
-    const unsigned tiles = (peer->width + 15u) / 16 * ((peer->height + 15u) / 16);
-    if (tiles > WIRE_TILES_MAX) {
+    if (panel == PLANELET_PANEL_TOO_LARGE) {
         return fail_set(f, NULL,
                         "its %u x %u pixels are %u tiles, %u (WIRE_TILES_MAX) are the most; "
                         "choose another with --device",
@@ -192,14 +163,14 @@ static int greet(display *d, fail *f) {
     p->whole = SLOW_MS + bytes / SLOW_BYTES;
     p->shown = malloc(bytes); /* without it every tile is sent whole */
     if (p->shown != NULL) {
-        wire_frames_reference(&p->out, p->shown, bytes);
+        wire_frames_reference(&p->link.out, p->shown, bytes);
     }
-    return picture_make(&p->frame, d->width, d->height, f);
+    return picture_make(&p->link.frame, d->width, d->height, f);
 }
 
 static void planelet_close(display *d) {
     planelet *p = d->state;
-    picture_free(&p->frame);
+    picture_free(&p->link.frame);
     free(p->shown);
     free(p);
     d->state = NULL;
@@ -223,7 +194,7 @@ static int planelet_open(display *d, fail *f) {
 
 static int say_error(planelet *p, fail *f) {
     uint32_t detail = 0;
-    const unsigned code = wire_error_read(&p->peer, &detail);
+    const unsigned code = wire_error_read(&p->link.peer, &detail);
     return fail_set(f, NULL, "the display reports error %u (%u); see platform/WIRE.md", code,
                     detail);
 }
@@ -237,11 +208,10 @@ static int planelet_show(display *d, const picture *shown, fail *f) {
         if (status != DISPLAY_OK) {
             return status;
         }
-        memcpy(p->frame.rgb, shown->rgb, 3 * (size_t)d->width * d->height);
-        if (wire_frames_show(&p->out, p->frame.rgb, 3 * d->width) == WIRE_OK) {
+        if (planelet_link_show(&p->link, shown) == WIRE_OK) {
             return deliver(d, is_idle, f);
         }
-        if (p->peer.other_error != WIRE_FINE) {
+        if (p->link.peer.other_error != WIRE_FINE) {
             return say_error(p, f);
         }
     }
@@ -253,30 +223,31 @@ static int planelet_confirm(display *d, fail *f) {
     p->begun = clock_ms();
     for (;;) {
         int status = deliver(d, is_done, f);
-        if (status != DISPLAY_OK || wire_frames_out_done(&p->out)) {
+        if (status != DISPLAY_OK || wire_frames_out_done(&p->link.out)) {
             return status;
         }
         status = deliver(d, is_up, f);
         if (status != DISPLAY_OK) {
             return status;
         }
-        wire_frames_show(&p->out, p->frame.rgb, 3 * d->width);
+        wire_frames_show(&p->link.out, p->link.frame.rgb, 3 * d->width);
     }
 }
 
 /* A picture that is shown anew without a change is one tile, the next of all (WIRE.md, section 5).
  */
 static void renew(planelet *p) {
-    if (clock_ms() - p->renewed >= RENEW_MS && wire_frames_out_done(&p->out)) {
+    if (clock_ms() - p->renewed >= RENEW_MS && wire_frames_out_done(&p->link.out)) {
         p->renewed = clock_ms();
-        wire_frames_show(&p->out, p->frame.rgb, 3 * p->frame.width);
+        wire_frames_show(&p->link.out, p->link.frame.rgb, 3 * p->link.frame.width);
     }
 }
 
 static int planelet_tick(display *d) {
     int sent = 1;
+    const uint32_t began = clock_ms();
     renew(d->state);
-    while (sent && !display_is_stopped(d)) {
+    while (sent && clock_ms() - began < TICK_MS && !display_is_stopped(d)) {
         if (exchange(d, 0, &sent) != PORT_OK) {
             return DISPLAY_GONE;
         }
@@ -286,19 +257,19 @@ static int planelet_tick(display *d) {
 
 static int planelet_brightness(display *d, unsigned percent, fail *f) {
     planelet *p = d->state;
-    if (!(wire_other(&p->peer)->features & WIRE_BRIGHTNESS)) {
+    if (!(wire_other(&p->link.peer)->features & WIRE_BRIGHTNESS)) {
         return fail_set(f, NULL, "this display's brightness cannot be set; leave out --brightness");
     }
-    wire_setting_send(&p->peer, WIRE_SET_BRIGHTNESS, percent);
+    wire_setting_send(&p->link.peer, WIRE_SET_BRIGHTNESS, percent);
     return DISPLAY_OK;
 }
 
 static void planelet_near(display *d, unsigned steps, unsigned fps) {
     planelet *p = d->state;
     if (steps == DISPLAY_NEAR_AUTO) {
-        wire_frames_rate(&p->out, fps);
+        wire_frames_rate(&p->link.out, fps);
     } else {
-        wire_frames_near(&p->out, steps);
+        wire_frames_near(&p->link.out, steps);
     }
 }
 

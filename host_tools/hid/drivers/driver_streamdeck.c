@@ -29,9 +29,11 @@
  *     0  01 00     2  bytes     4  a byte per key, 1: it is down
  *     0  01 03     2  bytes     4  0     5  a byte per dial, 1: it is pressed
  *     0  01 03     2  bytes     4  1     5  a byte per dial: how far it was turned, signed
+ *     0  01 02     2  bytes     4  1 touch, 2 hold, 3 swipe     6  x, y     10  x, y at its end
  *
  * A scene is turned by the first two rows as on a Mini, beside them is the first view again, and
- * what stops a sequence; by dials: left and right, down and up, and nearer and farther.
+ * what stops a sequence; by dials: left and right, down and up, and nearer and farther; on the
+ * strip it goes with the finger.
  *
  * Sources: Elgato, "Main Protocol: General Reference", docs.elgato.com, read 2026; the npm package
  * @elgato-stream-deck/core 7.6.3 (J. Waller), facts only. Not run on hardware.
@@ -52,8 +54,13 @@ enum {
     DECK_KEYS_MOST = 32,
     INPUT = 1, /* report number */
     OF_KEYS = 0,
+    OF_STRIP = 2,
     OF_DIALS = 3,
-    TURNS_MOST = 8,
+    TOUCH = 1,
+    HOLD = 2,
+    SWIPE = 3,
+    STRIP_INPUT_BYTES = 14,
+    SWIPE_STEP = 50, /* pixels of the strip */
     FULL_CHROMA_LEAST = 85,
     QUALITY_MOST = 95
 };
@@ -135,7 +142,8 @@ static void lower_image(const picture *panel, const layout *of, picture *to) {
 
 /* ---- files ------------------------------------------------------------------------------ */
 
-/* Its size; the file is of the quality that the room allows. */
+/* Its size; the file is of the quality that the room allows. That of the lowest has room
+ * (driver_corsair_lcd.c); 0 is for no file beyond it, whatever comes. */
 static size_t jpeg_of(deck *k, const picture *p) {
     const size_t budget = (size_t)p->width * p->height * 3 / 2;
     const size_t room = budget < k->room ? budget : k->room;
@@ -144,7 +152,7 @@ static size_t jpeg_of(deck *k, const picture *p) {
     if (bytes > room) {
         bytes = jpeg_fit(p, JPEG_420, JPEG_QUALITY_LEAST, QUALITY_MOST, &quality, k->file, room);
     }
-    return bytes;
+    return bytes <= room ? bytes : 0;
 }
 
 static void put_u16(uint8_t *to, size_t value) {
@@ -259,15 +267,26 @@ static void take_keys(display *d, const uint8_t *down, size_t count) {
     }
 }
 
-/* An entry of the list is down once for every step that its dial was turned. */
+/* The first of two entries is for what goes to the left. */
+static void take_steps(display *d, unsigned entry, int steps) {
+    keys_step(&d->keys, entry + (steps > 0), (unsigned)(steps < 0 ? -steps : steps));
+}
+
 static void take_turns(display *d, const uint8_t *turned) {
     for (unsigned dial = 0; dial < DECK_DIALS_STEER; dial++) {
-        const int steps = (int8_t)turned[dial], size = steps < 0 ? -steps : steps;
-        const unsigned entry = DECK_KEYS_STEER + 2 * dial + (steps > 0);
-        for (int i = 0; i < size && i < TURNS_MOST; i++) {
-            keys_set(&d->keys, entry, 1);
-            keys_set(&d->keys, entry, 0);
-        }
+        take_steps(d, DECK_KEYS_STEER + 2 * dial, (int8_t)turned[dial]);
+    }
+}
+
+static int get_u16(const uint8_t *from) {
+    return from[0] | from[1] << 8;
+}
+
+static void take_touch(display *d, const uint8_t *report) {
+    if (report[4] == SWIPE) {
+        take_steps(d, DECK_SWIPE, (get_u16(report + 10) - get_u16(report + 6)) / SWIPE_STEP);
+    } else if (report[4] == TOUCH || report[4] == HOLD) {
+        keys_step(&d->keys, report[4] == TOUCH ? DECK_TOUCH : DECK_HOLD, 1);
     }
 }
 
@@ -278,11 +297,13 @@ static void take_report(display *d, const uint8_t *report, size_t bytes) {
     }
     const size_t said = report[2] | (size_t)report[3] << 8;
     const size_t count = said < bytes - 4 ? said : bytes - 4;
-    const int has_dials = k->of.lower.command == COMMAND_STRIP;
+    const int has_strip = k->of.lower.command == COMMAND_STRIP; /* and dials */
     if (report[1] == OF_KEYS) {
         take_keys(d, report + 4, count);
-    } else if (report[1] == OF_DIALS && has_dials && report[4] == 1 && count > DECK_DIALS_STEER) {
+    } else if (report[1] == OF_DIALS && has_strip && report[4] == 1 && count > DECK_DIALS_STEER) {
         take_turns(d, report + 5);
+    } else if (report[1] == OF_STRIP && has_strip && bytes >= STRIP_INPUT_BYTES) {
+        take_touch(d, report);
     }
 }
 
