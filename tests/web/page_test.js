@@ -95,8 +95,8 @@ async function frames(lanes) {
   same(`${is}: a scene with normals is smooth at once`, await drop("smooth.plt"),
     render("smooth.plt", "--shader", "smooth"));
   await browser.run("planelet.viewer.size(80, 60)");
-  await choose({ shader: 0, samples: 1 });
   same(`${is}: the frame of all boards, ${hashOfBoards}`, await drop("boards.plt"), hashOfBoards);
+  await browser.run(`planelet.viewer.size(${SIZE.replace("x", ",")})`);
 }
 
 async function memory() {
