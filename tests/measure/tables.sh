@@ -67,13 +67,15 @@ write=$1
 table parts README.md '
     BEGIN {
         print "| Cortex-M4F, -O2, rare code -Os | Code and constants | Data, bss |" \
-            " Worst C stack below `plt_open`, `_render_step`, `_trace` | Arena, 2,000 triangles |"
+            " Worst C stack below `plt_open`, `_render_step`, `_trace` |" \
+            " Arena, 2,000 triangles |"
         print "|---|---|---|---|---|"
     }
     name ~ /^(all|render (thesis|compact)( frames)?|render thesis frames small)$/ {
         print "| " (name == "all" ? "the engine" : "`PARTS=" q name q "`") " | " \
             of("code_and_constants") " | " of("data") ", " of("bss") " | " \
-            stack("stack_open") ", " stack("stack_render_step") ", " stack("stack_trace") " | " of("arena_peak") " |"
+            stack("stack_open") ", " stack("stack_render_step") ", " stack("stack_trace") " | " \
+            of("arena_peak") " |"
     }'
 table parts platform/PORTING.md '
     BEGIN {
