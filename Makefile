@@ -52,9 +52,9 @@ endif
 include engine/engine.mk
 
 .PHONY: all firmware boards test-boards demo demo-wooddoll demo-bunny demo-firmware setup test \
-        check sizes bench scenes peers surface compact streamed moving policies workers against \
-        sanitize tiny scalar fuzz exporters run treelets povray stages jpeg board-figures play \
-        profile clean help cpus hashes FORCE
+        check sizes tables bench scenes peers surface compact streamed moving policies workers \
+        against sanitize tiny scalar fuzz exporters run treelets povray stages jpeg board-figures \
+        play profile clean help cpus hashes FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -114,14 +114,14 @@ endif
 setup:
 	@sh tests/setup.sh
 
-##measure sizes: code, data, bss and worst stack of the engine, for Cortex-M4F and host
+##measure sizes: what boards and PARTS cost, beside tests/golden: ON='board ...' OF='words, words'
 sizes: all
-	@for parts in '' render thesis compact 'render thesis' 'render compact' \
-	    'render thesis frames' 'render compact frames' \
-	    'render compact frames stream' wave; do \
-	    $(MAKE) --no-print-directory BOARD=mps2_an386 PARTS="$$parts" >/dev/null || exit 1; \
-	done
-	@BUILD='$(BUILD)' CC='$(CC)' sh tests/measure/sizes.sh
+	@BUILD='$(BUILD)' CC='$(CC)' MAKE='$(MAKE) -j$(shell getconf _NPROCESSORS_ONLN)' \
+	    MAKEFLAGS= MFLAGS= ON='$(ON)' OF='$(OF)' sh tests/measure/sizes.sh
+
+##keep tables: writes tables of README.md and platform/PORTING.md from tests/golden/*.csv
+tables:
+	@sh tests/measure/tables.sh write
 
 # ---- every board ---------------------------------------------------------
 
@@ -165,10 +165,10 @@ cpus: all
 	    $(MAKE) --no-print-directory ARCH=$$arch engine-run || exit 1; \
 	done
 
-##test hashes: one frame by all CPUs, lanes, compilers and levels: ARCHS= COMPILERS= LEVELS=
+##test hashes: one frame by all CPUs, lanes, compilers and levels: ARCHS= COMPILERS= LEVELS= ON=
 hashes: all
 	@ALL_CPUS=all sh tests/setup.sh
-	@MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BUILD='$(BUILD)' ARCHS='$(ARCHS)' \
+	@MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= BUILD='$(BUILD)' ARCHS='$(ARCHS)' ON='$(ON)' \
 	    COMPILERS='$(COMPILERS)' LEVELS='$(LEVELS)' sh tests/cpus/hashes.sh
 
 ##test fuzz: libFuzzer on images, meshes, pictures, reports, SECONDS each (60); TARGETS= for some

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/ray_block.h"
 
+#include "engine/base/small_stack.h"
 #include "engine/trace/exact.h"
 #include "engine/trace/triangle_seldom.h"
 #include "engine/tree/primitive_id.h"
@@ -14,6 +15,13 @@ typedef struct planes {
     f4 along; /* n . dir over the largest component of dir */
     f4 distance;
 } planes;
+
+/* What planes say of a block, before edge functions do. */
+typedef struct passing {
+    planes p;
+    f4 leave, t;
+    unsigned candidates, open; /* lanes that may be hit; and whose distance needs integers */
+} passing;
 
 /* Each triangle's own box on one axis, its near and its far plane. */
 static inline void own_planes(const plt_wave_ray *r, const plt_bvh4_block *b, int a, f4 *near,
@@ -27,7 +35,7 @@ static inline void own_planes(const plt_wave_ray *r, const plt_bvh4_block *b, in
 }
 
 /* Where the ray enters each triangle's own box, as boxes.c would say. */
-static inline f4 own_enter(const plt_wave_ray *r, const plt_bvh4_block *b) {
+PLT_APART_ON_SMALL_STACKS static f4 own_enter(const plt_wave_ray *r, const plt_bvh4_block *b) {
     f4 n[3], near, far;
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         own_planes(r, b, a, &near, &far);
@@ -37,7 +45,7 @@ static inline f4 own_enter(const plt_wave_ray *r, const plt_bvh4_block *b) {
 }
 
 /* And where it leaves it. */
-static inline f4 own_leave(const plt_wave_ray *r, const plt_bvh4_block *b) {
+PLT_APART_ON_SMALL_STACKS static f4 own_leave(const plt_wave_ray *r, const plt_bvh4_block *b) {
     f4 f[3], near, far;
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         own_planes(r, b, a, &near, &far);
@@ -47,11 +55,11 @@ static inline f4 own_leave(const plt_wave_ray *r, const plt_bvh4_block *b) {
 }
 
 /* The planes that the triangles lie in, with normals as plt_triangle_normal, and where the ray
- * meets them. */
-static inline planes planes_of(const plt_wave_ray *r, const plt_bvh4_block *b) {
+ * meets them; but for `enter`. */
+PLT_APART_ON_SMALL_STACKS static void set_planes(const plt_wave_ray *r, const plt_bvh4_block *b,
+                                                 planes *p) {
     const unsigned x = r->at.axis[0] / 4u, y = r->at.axis[1] / 4u, z = r->at.axis[2] / 4u;
     f4 first[3], second[3], numerator = f4_zero();
-    planes p = {.enter = own_enter(r, b)};
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         const f4 c0 = f4_load_16(b->corner[0][a]);
         first[a] = f4_sub(f4_load_16(b->corner[1][a]), c0);
@@ -62,13 +70,12 @@ static inline planes planes_of(const plt_wave_ray *r, const plt_bvh4_block *b) {
         const f4 normal = f4_sub(f4_mul(first[i], second[k]), f4_mul(first[k], second[i]));
         const f4 p0 = f4_sub(f4_load_16(b->corner[0][a]), f4_all(r->org[a]));
         numerator = f4_add(numerator, f4_mul(normal, p0));
-        f4_store(p.normal[a], normal);
+        f4_store(p->normal[a], normal);
     }
-    p.along =
-        f4_add(f4_load(p.normal[z]), f4_add(f4_mul(f4_load(p.normal[x]), f4_all(r->slope[0])),
-                                            f4_mul(f4_load(p.normal[y]), f4_all(r->slope[1]))));
-    p.distance = f4_div(f4_div(numerator, p.along), f4_all(r->along));
-    return p;
+    p->along =
+        f4_add(f4_load(p->normal[z]), f4_add(f4_mul(f4_load(p->normal[x]), f4_all(r->slope[0])),
+                                             f4_mul(f4_load(p->normal[y]), f4_all(r->slope[1]))));
+    p->distance = f4_div(f4_div(numerator, p->along), f4_all(r->along));
 }
 
 /* n . dir over dir[z], of one of triangle.c's normals. */
@@ -155,18 +162,16 @@ typedef struct lanes {
     float error[4], t[4], enter[4], leave[4];
 } lanes;
 
-static lanes lanes_of(const block_edges *e, f4 error, f4 t, f4 enter, f4 leave) {
-    lanes l = {.t = {0}};
+static inline void set_lanes(lanes *l, const block_edges *e, f4 error, const passing *at) {
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        f4_store(l.weight[c], e->weight[c]);
-        f4_store(l.x[c], e->x[c]);
-        f4_store(l.y[c], e->y[c]);
+        f4_store(l->weight[c], e->weight[c]);
+        f4_store(l->x[c], e->x[c]);
+        f4_store(l->y[c], e->y[c]);
     }
-    f4_store(l.error, error);
-    f4_store(l.t, t);
-    f4_store(l.enter, enter);
-    f4_store(l.leave, leave);
-    return l;
+    f4_store(l->error, error);
+    f4_store(l->t, at->t);
+    f4_store(l->enter, at->p.enter);
+    f4_store(l->leave, at->leave);
 }
 
 /* Bounds the errors of the edge functions. */
@@ -290,7 +295,9 @@ static unsigned low_lanes(const plt_bvh4_block *b, f4 along) {
 /* t is the distance clamped to its triangle's box: at most the greater of distance and enter, and
  * no less than enter. A NaN becomes `enter` by the rule of max. */
 unsigned plt_block_may_be_nearer(const plt_wave_ray *r, const plt_bvh4_block *b) {
-    const planes p = planes_of(r, b);
+    planes p;
+    p.enter = own_enter(r, b);
+    set_planes(r, b, &p);
     const unsigned ahead = m4_mask(f4_le(f4_load_16(r->tmin), f4_max(p.distance, p.enter)));
     const unsigned above = m4_mask(f4_le(p.enter, f4_load_16(r->tmax)));
     return (ahead | low_lanes(b, p.along)) & above;
@@ -321,25 +328,45 @@ static int keep_nearest(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave
     return is_hit;
 }
 
-int plt_block_hits(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job *job,
-                   unsigned may) {
-    planes p = planes_of(r, b);
-    const f4 leave = own_leave(r, b);
-    const unsigned inside = may & m4_mask(f4_le(p.enter, leave));
-    const unsigned low = inside & low_lanes(b, p.along);
-    unsigned open = 0;
+/* Of lanes `may`. */
+PLT_APART_ON_SMALL_STACKS static void pass_planes(const plt_wave_ray *r, const plt_bvh4_block *b,
+                                                  const plt_wave_job *job, unsigned may,
+                                                  passing *to) {
+    to->p.enter = own_enter(r, b);
+    set_planes(r, b, &to->p);
+    to->leave = own_leave(r, b);
+    to->open = 0;
+    const unsigned inside = may & m4_mask(f4_le(to->p.enter, to->leave));
+    const unsigned low = inside & low_lanes(b, to->p.along);
     if (low != 0) {
         const plt_ray ray = plt_wave_ray_get(job, r->number);
-        open = open_lanes(r, b, &ray, &p, leave, low);
+        to->open = open_lanes(r, b, &ray, &to->p, to->leave, low);
     }
-    const f4 t = f4_min(f4_max(p.distance, p.enter), leave);
-    const unsigned candidates = inside & (nearer_lanes(r, t) | open);
-    if (candidates == 0) {
-        return 0;
-    }
+    to->t = f4_min(f4_max(to->p.distance, to->p.enter), to->leave);
+    to->candidates = inside & (nearer_lanes(r, to->t) | to->open);
+}
+
+/* Edge functions again, and how sure they are. Returns the lanes whose sign is. */
+PLT_APART_ON_SMALL_STACKS static unsigned
+edges_again(const plt_wave_ray *r, const plt_bvh4_block *b, const passing *at, lanes *l) {
     block_edges e;
     plt_block_edges(r, b, &e);
     const f4 error = error_of(r, &e);
-    lanes l = lanes_of(&e, error, t, p.enter, leave);
-    return keep_nearest(r, b, job, &p, &l, candidates, sure_lanes(&e, error), open);
+    set_lanes(l, &e, error, at);
+    return sure_lanes(&e, error);
+}
+
+/* Of the candidates those that the ray meets. */
+PLT_APART_ON_SMALL_STACKS static int keep_candidates(plt_wave_ray *r, const plt_bvh4_block *b,
+                                                     const plt_wave_job *job, const passing *at) {
+    lanes l;
+    const unsigned sure = edges_again(r, b, at, &l);
+    return keep_nearest(r, b, job, &at->p, &l, at->candidates, sure, at->open);
+}
+
+int plt_block_hits(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job *job,
+                   unsigned may) {
+    passing at;
+    pass_planes(r, b, job, may, &at);
+    return at.candidates != 0 && keep_candidates(r, b, job, &at);
 }

@@ -12,6 +12,7 @@
 
 #include <string.h>
 
+#include "engine/base/small_stack.h"
 #include "engine/lanes/lanes.h"
 #include "engine/planelet.h"
 #include "engine/trace/triangle_common.h"
@@ -68,11 +69,17 @@ static inline unsigned plt_block_edges(const plt_wave_ray *r, const plt_bvh4_blo
     return m4_mask(m4_or(f4_le(f4_neg(slack), least), f4_le(most, slack)));
 }
 
-/* All three for one ray; 1: it has a nearer hit. */
-static inline int plt_ray_block(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job *job) {
+/* Lanes that the ray may meet, nearer than the hit so far. */
+PLT_APART_ON_SMALL_STACKS static unsigned plt_block_may_be_hit(const plt_wave_ray *r,
+                                                               const plt_bvh4_block *b) {
     block_edges e;
     const unsigned met = plt_block_edges(r, b, &e);
-    const unsigned may = met != 0 ? met & plt_block_may_be_nearer(r, b) : 0;
+    return met != 0 ? met & plt_block_may_be_nearer(r, b) : 0;
+}
+
+/* All three for one ray; 1: it has a nearer hit. */
+static inline int plt_ray_block(plt_wave_ray *r, const plt_bvh4_block *b, const plt_wave_job *job) {
+    const unsigned may = plt_block_may_be_hit(r, b);
     return may != 0 && plt_block_hits(r, b, job, may);
 }
 

@@ -204,25 +204,36 @@ static int any_reaches(const visit *v, float depth) {
     return 0;
 }
 
+/* What the bundle reaches of a slice of a crowded cell. 0: nothing; -1: nor of those behind it. */
+PLT_APART_ON_SMALL_STACKS static int reach_inner(const visit *v, const plt_grid_level *l,
+                                                 int32_t slice, plt_grid_patch *r) {
+    const plt_grid_turn *t = &v->s->turn;
+    const plt_grid_view view = plt_grid_view_of(v->s, v->p, l);
+    const float lower = view.plane + (float)slice * view.size;
+    const float upper = view.plane + (float)(slice + 1) * view.size;
+    const float front = t->sign > 0.0f ? lower : upper, back = t->sign > 0.0f ? upper : lower;
+    if (!any_reaches(v, front - view.slack)) {
+        return -1;
+    }
+    return overlap(&view, t, l, front, back, r);
+}
+
 /* A record is tested for all groups that reach the cell's own slice, whatever they have hit
  * meanwhile: it may lie in other cells of that slice, too, and is not met there again. */
 static void visit_crowded(visit *v, const plt_grid_level *l) {
     const plt_grid_turn *t = &v->s->turn;
-    const plt_grid_view view = plt_grid_view_of(v->s, v->p, l);
     const int32_t step = t->sign > 0.0f ? 1 : -1, count = (int32_t)l->cells[t->z];
     int32_t slice;
+    int reached;
     plt_grid_patch r;
     if (!plt_grid_first_slice(t, l, 0.0f, &slice)) {
         return;
     }
     for (; slice >= 0 && slice < count; slice += step) {
-        const float lower = view.plane + (float)slice * view.size;
-        const float upper = view.plane + (float)(slice + 1) * view.size;
-        const float front = step > 0 ? lower : upper, back = step > 0 ? upper : lower;
-        if (!any_reaches(v, front - view.slack)) {
+        if ((reached = reach_inner(v, l, slice, &r)) < 0) {
             return;
         }
-        if (overlap(&view, t, l, front, back, &r)) {
+        if (reached) {
             visit_inner(v, l, slice, &r);
             set_until(v);
         }
@@ -298,9 +309,9 @@ static int skip_slab(const plt_grid_view *view, const plt_grid_turn *t, const pl
 }
 #endif
 
-/* The bundle's current slice, and on to the next. Returns cells looked at, and 1. */
-static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) {
-    const plt_grid *grid = t->scene->gridded.grid;
+/* What the bundle reaches of its current slice. 0: nothing; -1: it has gone on already. */
+PLT_APART_ON_SMALL_STACKS static int reach_slice(const plt_grid *grid, const plt_packet *p,
+                                                 plt_grid_state *s, plt_grid_patch *r) {
     const plt_grid_level *top = &grid->top;
     plt_grid_bundle *u = &s->bundle;
     const int32_t slice = u->slice;
@@ -309,19 +320,33 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
     const float lower = plane + (float)slice * size, upper = plane + (float)(slice + 1) * size;
     const float front = u->step > 0 ? lower : upper, back = u->step > 0 ? upper : lower;
     const float depth = front - s->turn.margin - PLT_GRID_CELL_ERROR * top->size[s->turn.z];
-    plt_grid_patch r;
     if (depth > u->soonest || (u->groups & ~p->active) != 0) {
         drop_groups(s, p, depth);
     }
     if (u->groups == 0) {
-        return 1;
+        return -1;
     }
     const plt_grid_view view = plt_grid_view_of(s, p, top);
 #if PLT_WITH_MACRO_CELLS
     if ((s->without & PLT_GRID_WITHOUT_MACRO) == 0 && skip_slab(&view, &s->turn, grid, u)) {
-        return 1;
+        return -1;
     }
 #endif
+    return overlap(&view, &s->turn, top, front, back, r) &&
+           ((s->without & PLT_GRID_WITHOUT_RECTANGLES) != 0 ||
+            plt_grid_cut(r, &grid->rect[s->turn.z][slice]));
+}
+
+/* The bundle's current slice, and on to the next. Returns cells looked at, and 1. */
+static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) {
+    const plt_grid *grid = t->scene->gridded.grid;
+    plt_grid_bundle *u = &s->bundle;
+    plt_grid_patch r;
+    const int reached = reach_slice(grid, p, s, &r);
+    if (reached < 0) {
+        return 1;
+    }
+    const int32_t slice = u->slice;
     uint32_t waiting[WAITING];
     visit v = {.t = t,
                .p = p,
@@ -332,9 +357,7 @@ static uint32_t visit_slice(plt_traversal *t, plt_packet *p, plt_grid_state *s) 
                .mark = (s->without & PLT_GRID_WITHOUT_MAILBOX) != 0 ? 0 : u->stamp,
                .waiting = waiting,
                .groups = u->groups};
-    if (overlap(&view, &s->turn, top, front, back, &r) &&
-        ((s->without & PLT_GRID_WITHOUT_RECTANGLES) != 0 ||
-         plt_grid_cut(&r, &grid->rect[s->turn.z][slice]))) {
+    if (reached) {
         visit_cells(&v, grid, slice, &r);
         set_until(&v);
     }

@@ -91,7 +91,8 @@ PLT_APART_ON_SMALL_STACKS static void stage(plt_wave_job *job) {
 }
 
 /* A ray out of its lane. */
-static void set_ray(plt_wave_ray *r, const plt_wave_job *job, uint32_t number) {
+PLT_APART_ON_SMALL_STACKS static void set_ray(plt_wave_ray *r, const plt_wave_job *job,
+                                              uint32_t number) {
     const plt_wave_staged *from = &job->wave->staged;
     const plt_group_slabs *s = &job->packet->slabs.group[group_of(job, number)];
     const unsigned lane = number & 3u;
@@ -171,7 +172,7 @@ static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t coun
 
 /* Traces windows of coherent rays in packets, up to one that is not, which it counts. Called
  * when all rays that were set up are taken. */
-static void look(plt_wave_job *job) {
+PLT_APART_ON_SMALL_STACKS static void look(plt_wave_job *job) {
     plt_traversal *t = job->traversal;
     while (job->next < job->count && job->status == PLT_OK) {
         const uint32_t left = job->count - job->next;

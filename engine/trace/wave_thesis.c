@@ -111,7 +111,8 @@ PLT_WAVE_LOOP static void visit_all(run *shared) {
 
 /* Up to four records of a leaf, that has so many lists left from `record` on; returns how
  * many there are. */
-static inline unsigned load_records(const plt_record *record, uint32_t *lists, plt_bvh4_block *b) {
+PLT_APART_ON_SMALL_STACKS static unsigned load_records(const plt_record *record, uint32_t *lists,
+                                                       plt_bvh4_block *b) {
     const plt_record *at[4];
     unsigned count = 0;
     PLT_UNROLLED for (unsigned lane = 0; lane < 4; lane++) {

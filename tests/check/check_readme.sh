@@ -36,26 +36,6 @@ verdict "README's program traces a ray and renders a frame" "$(
     [ "$(head -n 1 "$out/first.txt" | grep -c '^triangle [0-9]* at distance')" -eq 1 ] ||
         head -n 1 "$out/first.txt"
     [ "$(grep -c '^tile of 16 x 16' "$out/first.txt")" -eq 12 ] || cat "$out/first.txt")"
-# figure ROW NUMBER: a row of README's table that is no longer near the number.
-figure() {
-    row=$(sed -n "s/^| $1 | \([0-9,]*\) |\$/\1/p" README.md | tr -d ,)
-    awk -v row="${row:-none}" -v now="${2:-none}" -v name="$1" 'BEGIN {
-        if (row + 0 < 0.9 * now || row + 0 > 1.1 * now || row == "none" || now == "none") {
-            print name ": README says " row ", make sizes " now } }'
-}
-if needs arm-none-eabi-gcc; then
-    verdict "make sizes ends well: no data, no bss, a stack that is known" "$(
-        $MAKE -s sizes >"$out/sizes.txt" 2>&1 || grep error "$out/sizes.txt")"
-    verdict "README's sizes are those of make sizes, to a tenth" "$(
-        figure "the engine's code and constants" "$(
-            awk '/^engine, Cortex/ { on = 1 } on && / in all$/ { print $1; exit }' \
-                "$out/sizes.txt")"
-        for name in plt_render_step plt_open; do
-            figure "worst C stack below .$name." \
-                "$(awk -v name=$name '$2 == name && NF == 2 && $1 > 0 { n = $1 } END { print n }' \
-                    "$out/sizes.txt")"
-        done)"
-fi
 verdict "make help says every target in a sentence" "$(
     $MAKE -s help >"$out/help.txt"
     for target in all demo setup test check sizes bench scenes peers clean; do

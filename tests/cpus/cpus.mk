@@ -1,8 +1,9 @@
 # cpus - the programs of the host for another CPU, which QEMU runs: make ARCH=name, with a file
 # NAME.mk here
 #
-# TRIPLE of Debian's cross compiler; CPU_FLAGS; the EMULATOR; LANES, if not the usual ones; HASHED,
-# lanes of hashes.sh; PACKAGES of Debian; IN_CI, yes or no. Programs are linked statically.
+# TRIPLE of Debian's cross compiler; CPU_FLAGS; the EMULATOR; LANES, if not the usual ones; HASHED
+# and HASHED_BY, lanes and compilers of hashes.sh; PACKAGES of Debian; IN_CI, yes or no. Programs
+# are linked statically.
 # SPDX-License-Identifier: MIT
 
 CPUS := $(shell sh tests/cpus/archs.sh)

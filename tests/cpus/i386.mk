@@ -4,5 +4,6 @@ TRIPLE := i686-linux-gnu
 CPU_FLAGS := -msse2 -mfpmath=sse
 EMULATOR := qemu-i386
 HASHED := sse scalar
+HASHED_BY := gcc clang-16
 PACKAGES := gcc-i686-linux-gnu libc6-dev-i386-cross
 IN_CI := yes

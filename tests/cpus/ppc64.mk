@@ -7,5 +7,6 @@ CPU_FLAGS := -maltivec \
     $(if $(filter gcc,$(COMPILER)),-mcpu=cell,-mcpu=970 -Wno-deprecated-altivec-src-compat)
 EMULATOR := qemu-ppc64 -cpu power8
 HASHED := altivec scalar
+HASHED_BY := gcc clang-16
 PACKAGES := gcc-powerpc64-linux-gnu libc6-dev-ppc64-cross
 IN_CI := no

@@ -5,5 +5,6 @@ comma := ,
 TRIPLE := riscv64-linux-gnu
 EMULATOR := qemu-riscv64 -cpu rv64$(comma)v=true$(comma)vext_spec=v1.0
 HASHED := scalar rvv
+HASHED_BY := gcc clang-16
 PACKAGES := gcc-riscv64-linux-gnu libc6-dev-riscv64-cross
 IN_CI := no

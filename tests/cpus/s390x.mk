@@ -4,5 +4,6 @@ TRIPLE := s390x-linux-gnu
 EMULATOR := qemu-s390x
 LANES ?= vx
 HASHED := vx scalar
+HASHED_BY := gcc clang-16
 PACKAGES := gcc-s390x-linux-gnu libc6-dev-s390x-cross
 IN_CI := yes

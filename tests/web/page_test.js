@@ -12,6 +12,8 @@ const { Browser } = require("./browser.js");
 
 const [program, pageFile, folder, host, panelFile, deckReports] = process.argv.slice(2);
 const SIZE = "192x120";
+const hashOfBoards = fs.readFileSync(path.join(__dirname, "../golden/boards.csv"), "utf8")
+  .trim().split(",").pop();
 const file = (name) => path.join(folder, name);
 let passed = 0, failed = 0, browser;
 
@@ -92,6 +94,9 @@ async function frames(lanes) {
     render("knot.plt", "--samples", "4"));
   same(`${is}: a scene with normals is smooth at once`, await drop("smooth.plt"),
     render("smooth.plt", "--shader", "smooth"));
+  await browser.run("planelet.viewer.size(80, 60)");
+  same(`${is}: the frame of all boards, ${hashOfBoards}`, await drop("boards.plt"), hashOfBoards);
+  await browser.run(`planelet.viewer.size(${SIZE.replace("x", ",")})`);
 }
 
 async function memory() {

@@ -31,6 +31,8 @@ verdict "the lanes of relaxed SIMD, and min and max that know NaNs, are not used
 "$planelet" make knot --triangles 3000 -o "$folder/knot.ply" >/dev/null
 "$planelet" pack "$folder/knot.ply" -o "$folder/knot.plt" >/dev/null
 "$planelet" pack "$folder/knot.ply" -o "$folder/smooth.plt" --smooth 40 >/dev/null
+"$planelet" make knot --triangles 600 -o "$folder/boards.ply" >/dev/null
+"$planelet" pack "$folder/boards.ply" -o "$folder/boards.plt" >/dev/null
 "$planelet" make knot --triangles 20000 -o "$folder/large.ply" >/dev/null
 "$planelet" pack "$folder/large.ply" -o "$folder/compact.plt" --nodes compact \
     --geometry lattice:14 >/dev/null 2>&1
