@@ -121,9 +121,9 @@ static void choose_options(const plt_info *info, unsigned shader) {
         if (plt_arena_need(info, 0, &v.options) == 0) {
             v.options.surface = 0; /* not streamed, unless they are in pages */
         }
-        if (v.options.surface && v.where != VIEW_STREAMED && info->texture_bytes > 0) {
-            v.options.textures = PLT_TEXTURES_BILINEAR;
-        }
+    }
+    if (v.options.surface && v.where != VIEW_STREAMED && info->texture_bytes > 0) {
+        v.options.textures = PLT_TEXTURES_BILINEAR;
     }
 }
 

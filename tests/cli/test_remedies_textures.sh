@@ -170,10 +170,12 @@ same none.plt bare.plt "an image without textures is what it was before there we
 
 for flag in '--textures nearest' '--texture-room 1000'; do
     # shellcheck disable=SC2086
-    says "--textures and --texture-room are for --shader whitted; add that" render x.plt \
+    says "--textures and --texture-room are for --shader smooth or whitted; add one" render x.plt \
         -o x.png --size 8x8 $flag
-    # shellcheck disable=SC2086
-    cured render x.plt -o x.png --size 8x8 $flag --shader whitted
+    for shader in smooth whitted; do
+        # shellcheck disable=SC2086
+        cured render x.plt -o x.png --size 8x8 $flag --shader $shader
+    done
 done
 for flag in '--textures nearest' '--texture-room 1000'; do
     # shellcheck disable=SC2086
@@ -191,6 +193,14 @@ verdict "... but not if they are not wanted" "$([ "$status" -eq 0 ] || cat err; 
 same x.png y.png "... and is the picture without them"
 run render x.plt -o x.png --size 8x8 --shader whitted
 verdict "... nor does one that has them" "$([ "$status" -eq 0 ] || cat err; cat err)"
+run render x.plt -o x.ppm --size 8x8 --shader smooth
+for how in '--source read' '--packet 2' '--source read --texture-room 140'; do
+    # shellcheck disable=SC2086
+    run render x.plt -o y.ppm --size 8x8 --shader smooth $how
+    same x.ppm y.ppm "smooth has textures, $how: the same picture"
+done
+run render x.plt -o y.ppm --size 8x8 --shader smooth --textures none
+verdict "... and another without them" "$(cmp -s x.ppm y.ppm && echo "the same picture")"
 for room in 139 x 1073741825; do
     run render x.plt -o y.png --size 8x8 --shader whitted --texture-room "$room"
     verdict "--texture-room $room is refused in a sentence" "$(

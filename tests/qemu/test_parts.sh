@@ -386,7 +386,7 @@ printf 'newmtl a\nKd 0.9 1 0.8\nmap_Kd -s 2 3 checks.ppm\n' >"$out/checks.mtl"
 } >"$out/checks.obj"
 "$planelet" pack "$out/checks.obj" --materials keep -o "$out/checks.plt" >/dev/null 2>&1
 texture=$BUILD/mps2_an386-render-surface-texcoords-texture-thesis-whitted
-if part "render thesis surface texcoords whitted texture" "$texture" 61952; then
+if part "render thesis surface texcoords whitted texture" "$texture" 62464; then
     for filter in nearest bilinear; do
         view=$(sh board/tools/host_view.sh "$out/checks.plt" 80x60 "$out/host.ppm" \
             --shader whitted --light sun:0.5,1,0.75,0.75,0.0625,4 --sky 0.5,0.5,0.75 \
@@ -401,6 +401,30 @@ if part "render thesis surface texcoords whitted texture" "$texture" 61952; then
         done
     done
 fi
+# ... and without lights, by groups and by beams.
+smooth_texture() { # FOLDER
+    for filter in nearest bilinear; do
+        view=$(sh board/tools/host_view.sh "$out/checks.plt" 80x60 "$out/host.ppm" \
+            --shader smooth --textures $filter)
+        for source in '' file; do
+            # shellcheck disable=SC2086
+            text=$(FIRMWARE=$1 SOURCE=$source sh board/mps2_an386/run.sh "$out/checks.plt" \
+                size=80x60 shader=smooth textures=$filter ${view#* } 2>&1)
+            verdict "${1##*/}, smooth, textures=$filter${source:+, from a file}: the frame of the \
+host" "$(
+                [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+                    echo "$text")"
+        done
+    done
+}
+smooth_texture "$texture"
+texture=$BUILD/mps2_an386-frames-render-surface-texcoords-texture-thesis
+if part "render thesis frames surface texcoords texture" "$texture" 40960; then
+    smooth_texture "$texture"
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis surface texture' 2>&1)
+verdict "PARTS with texture and without texcoords is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with texture has .*: make PARTS='" || echo "$trouble")"
 instances=$BUILD/mps2_an386-instances-render-thesis
 # shows_instances [SOURCE=file]: frames of marbles that are instances; of the last one the host's
 # program says how long it takes.
