@@ -88,6 +88,8 @@ wrong "ends before the last of %u x %u pixels; write it again"
 printf 'P5 16385 1 255\n' >bad.ppm
 head -c 16385 /dev/zero >>bad.ppm
 wrong "a texture of %u x %u pixels is too large; make it %d at most"
+{ head -c 20 p.png; printf '\1'; tail -c +22 p.png; } >bad.ppm
+wrong "its chunk %s at byte %zu is damaged (CRC); write it again"
 head -c 60 p.png >bad.ppm
 wrong "holds no picture; write it again"
 mkdir folder.png
