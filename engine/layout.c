@@ -388,7 +388,7 @@ static uint64_t rebuild_bytes(const subject *s) {
 static int has_textures(const subject *s) {
     return s->options->textures > 0 && s->info->texture_bytes > 0;
 }
-#else
+#elif PLT_WITH_MATERIALS
 static int has_textures(const subject *s) {
     (void)s;
     return 0;
