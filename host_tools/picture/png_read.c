@@ -74,12 +74,11 @@ static int read_chunk(png *p, const uint8_t *kind, uint32_t bytes, fail *f) {
 
 /* A kind is four letters (section 5.3); of others there is no name to say. */
 static int fail_chunk(const png *p, size_t at, fail *f) {
-    char kind[5] = "????";
-    for (int i = 0; i < 4; i++) {
-        const uint8_t letter = p->file[at + 4 + (size_t)i];
-        if ((letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z')) {
-            kind[i] = (char)letter;
-        }
+    char kind[5] = {0};
+    for (size_t i = 0; i < 4; i++) {
+        const uint8_t letter = p->file[at + 4 + i];
+        const int is_one = (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+        kind[i] = is_one ? (char)letter : '?';
     }
     return fail_set(f, p->name, "its chunk %s at byte %zu is damaged (CRC); write it again", kind,
                     at);
