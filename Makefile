@@ -53,8 +53,8 @@ include engine/engine.mk
 
 .PHONY: all firmware boards test-boards demo demo-wooddoll demo-bunny demo-firmware setup test \
         check sizes tables bench scenes peers surface compact streamed moving policies workers \
-        against sanitize tiny scalar fuzz exporters run treelets povray stages jpeg board-figures \
-        play profile clean help cpus hashes FORCE
+        against sanitize tiny scalar fuzz exporters run treelets povray blender stages jpeg \
+        board-figures play profile clean help cpus hashes FORCE
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
@@ -276,6 +276,11 @@ treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test
 povray: all $(OUT)/tests/measure/test_picture_difference
 	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' \
 	    DIFFERENCE='$(OUT)/tests/measure/test_picture_difference' sh tests/measure/povray.sh
+
+##measure blender: the picture of make demo beside that of Blender's Cycles, which it needs
+blender: all $(OUT)/tests/measure/test_picture_difference
+	@PLANELET='$(PLANELET)' BUILD='$(BUILD)' \
+	    DIFFERENCE='$(OUT)/tests/measure/test_picture_difference' sh tests/measure/blender.sh
 
 ##measure stages: costs of shadows, mirrors, glass and samples, beside eye light (DEVICE= no board)
 stages: all

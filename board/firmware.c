@@ -11,7 +11,8 @@
  *                      shadows=clear|solid: light comes through glass, or none
  *   flight=32 rays=auto|coherent|incoherent        likewise, with PLT_WITH_WAVE: rays in flight,
  *                      without it none, and which of those off surfaces
- *   textures=none|nearest|bilinear                 likewise, if the engine has PLT_WITH_TEXTURE
+ *   textures=none|nearest|bilinear                 with shader=smooth, too, if the engine has
+ *                      PLT_WITH_TEXTURE
  *   visits=20000       node visits per step of the main loop
  *   arena=65536        use less of the arena than there is
  *   structure=tree|grid                            if the engine has PLT_WITH_GRID

@@ -119,6 +119,19 @@ static int read_camera(const char *all, job *j) {
     return 0;
 }
 
+/* textures=, as `planelet render` has it. */
+static int read_textures(const char *all, job *j) {
+#if PLT_WITH_TEXTURE
+    static const char *const filters[] = {"none", "nearest", "bilinear"};
+    j->options.textures = PLT_TEXTURES_BILINEAR;
+    return job_word(all, "textures", filters, 3, &j->options.textures);
+#else
+    (void)all;
+    (void)j;
+    return 0;
+#endif
+}
+
 #if PLT_WITH_WHITTED
 /* Where it shines from, power, radius and samples. */
 enum { LIGHT_NUMBERS = 6, DEPTH_USUAL = 4 };
@@ -133,19 +146,6 @@ static int read_light(const char *all, const char *key, uint8_t kind, plt_lighti
         to->light[to->lights++] = light;
     }
     return status;
-}
-
-/* textures=, as `planelet render` has it. */
-static int read_textures(const char *all, job *j) {
-#if PLT_WITH_TEXTURE
-    static const char *const filters[] = {"none", "nearest", "bilinear"};
-    j->options.textures = PLT_TEXTURES_BILINEAR;
-    return job_word(all, "textures", filters, 3, &j->options.textures);
-#else
-    (void)all;
-    (void)j;
-    return 0;
-#endif
 }
 
 /* flight= and rays=: how many are in flight in a wave, and which go by it. */
@@ -222,18 +222,15 @@ static int read_shader(const char *all, job *j) {
     }
     j->frame.shader = numbers[named];
 #if PLT_WITH_WHITTED
-    if (j->frame.shader == PLT_SHADE_WHITTED) {
-        j->options.surface = PLT_WITH_SURFACE;
-        if (read_textures(all, j) < 0) {
-            return -1;
-        }
-        return read_lights(all, j);
+    if (j->frame.shader == PLT_SHADE_WHITTED && read_lights(all, j) < 0) {
+        return -1;
     }
 #endif
 #if PLT_WITH_SURFACE
-    j->options.surface = j->frame.shader == PLT_SHADE_SMOOTH;
+    j->options.surface =
+        j->frame.shader == PLT_SHADE_SMOOTH || j->frame.shader == PLT_SHADE_WHITTED;
 #endif
-    return 0;
+    return j->options.surface ? read_textures(all, j) : 0;
 }
 
 static int read_words(const char *all, job *j) {

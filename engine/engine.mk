@@ -23,9 +23,9 @@
 #   instances with bodies that instances place (plt_place), for thesis nodes; likewise
 #   surface  with normals and colours (plt_options.surface); likewise
 #   texcoords ... and texture coordinates (plt_surface_point.texcoord), likewise
+#   texture  ... and textures (plt_options.textures), likewise
 #   whitted  with frames that have lights, shadows, mirrors and glass (PLT_SHADE_WHITTED), which
 #            firmware is without unless it asks for it
-#   texture  ... whose surfaces have textures, with texcoords and whitted; likewise
 #   samples  with several rays per pixel (plt_frame.samples), which firmware is without, too
 #   small    compiled for size, all of it, with fewer ways through a beam: an eighth less code
 #   diagrams with pictures of distances and of node visits, likewise
@@ -88,9 +88,11 @@ surface_files := $(wildcard engine/surface/*.c) engine/surface_room.c \
     engine/tree/compact/block_record.c engine/trace/kept.c engine/trace/surface_hit.c
 texcoord_files := engine/surface/texcoords.c
 further_files := engine/image/further.c
-whitted_files := $(wildcard engine/whitted/*.c) engine/whitted_room.c \
-    engine/shade/whitted_frame.c engine/shade/whitted_mix.c
-texture_files := $(wildcard engine/texture/*.c) engine/texture_room.c engine/whitted/paint.c
+material_files := engine/whitted/materials.c engine/materials_room.c
+whitted_files := $(filter-out $(material_files),$(wildcard engine/whitted/*.c)) \
+    engine/whitted_room.c engine/shade/whitted_frame.c engine/shade/whitted_mix.c
+texture_files := $(wildcard engine/texture/*.c) engine/texture_room.c engine/whitted/paint.c \
+    engine/shade/smooth_paint.c
 samples_files := engine/shade/light.c engine/shade/beam_samples.c engine/shade/whitted_mix.c
 diagrams_files := engine/shade/diagram.c
 mixes_files := engine/shade/mixing.c engine/shade/beam_mix.c engine/shade/packet_mix.c
@@ -160,11 +162,9 @@ endif
 ifeq ($(filter surface,$(PARTS))$(filter texcoords,$(PARTS)),texcoords)
 $(error PARTS with texcoords has surface: make PARTS='render thesis surface texcoords')
 endif
-ifeq ($(filter texture,$(PARTS)),texture)
-ifneq ($(sort $(filter texcoords whitted,$(PARTS))),texcoords whitted)
-$(error PARTS with texture has surface, texcoords and whitted: make PARTS='render thesis surface \
-    texcoords whitted texture')
-endif
+ifeq ($(filter texcoords,$(PARTS))$(filter texture,$(PARTS)),texture)
+$(error PARTS with texture has surface and texcoords: make PARTS='render thesis surface \
+    texcoords texture')
 endif
 ifeq ($(filter stream,$(PARTS))$(filter prefetch,$(PARTS)),prefetch)
 $(error PARTS with prefetch has stream: make PARTS='render compact stream prefetch')
@@ -204,6 +204,7 @@ without_surface := $(if $(filter host,$(BOARD))$(filter surface,$(PARTS)),,yes)
 without_texcoords := $(if $(filter host,$(BOARD))$(filter texcoords,$(PARTS)),,yes)
 without_texture := $(if $(filter host,$(BOARD))$(filter texture,$(PARTS)),,yes)
 without_further := $(if $(without_whitted),$(without_surface))
+without_materials := $(and $(without_whitted),$(without_texture))
 without_seek := $(if $(filter host,$(BOARD))$(filter seek,$(PARTS)),,yes)
 without_prefetch := $(if $(filter host,$(BOARD))$(filter prefetch,$(PARTS)),,yes)
 without_wave := $(if $(filter host,$(BOARD))$(filter wave,$(PARTS)),,yes)
@@ -222,6 +223,7 @@ ENGINE := $(filter-out $(foreach part,$(PARTS),$(left_out_$(part))) \
     $(if $(without_whitted),$(whitted_files)) $(if $(without_surface),$(surface_files)) \
     $(if $(without_texcoords),$(texcoord_files)) \
     $(if $(without_further),$(further_files)) $(if $(without_texture),$(texture_files)) \
+    $(if $(without_materials),$(material_files)) \
     $(if $(without_samples),$(samples_files)) $(if $(without_diagrams),$(diagrams_files)) \
     $(if $(without_mixes),$(mixes_files)) $(if $(without_grid),$(grid_files)),$(ENGINE_ALL))
 PARTS_FLAGS := $(foreach part,$(PARTS),$(flags_$(part))) \
@@ -258,7 +260,7 @@ ENGINE_SELDOM := $(wildcard engine/image/*.c engine/layout.c engine/open.c engin
     engine/motion/sequence*.c engine/motion/frame_reader.c \
     engine/instances/*.c engine/instances_room.c engine/place.c engine/surface_room.c \
     engine/surface/surface_data.c engine/surface/surface_pages.c engine/surface/page_fetch.c \
-    engine/whitted_room.c engine/whitted/materials.c \
+    engine/whitted_room.c engine/whitted/materials.c engine/materials_room.c \
     engine/texture_room.c engine/texture/directory.c engine/texture/tiles.c)
 # With `small` all of it is, but for the files that take most instructions per byte that is saved.
 ENGINE_FOR_SIZE := $(if $(filter small,$(PARTS)),$(filter-out $(addprefix engine/shade/,beam.c \

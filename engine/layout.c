@@ -388,6 +388,18 @@ static uint64_t rebuild_bytes(const subject *s) {
 static int has_textures(const subject *s) {
     return s->options->textures > 0 && s->info->texture_bytes > 0;
 }
+#elif PLT_WITH_MATERIALS
+static int has_textures(const subject *s) {
+    (void)s;
+    return 0;
+}
+#endif
+
+#if PLT_WITH_MATERIALS
+static uint64_t material_bytes(const subject *s) {
+    const int is_lit = PLT_WITH_WHITTED && s->options->whitted > 0;
+    return !s->mapped && (is_lit || has_textures(s)) ? s->info->material_bytes : 0;
+}
 #endif
 
 #if PLT_WITH_SURFACE
@@ -535,8 +547,10 @@ static uint64_t part_bytes(enum plt_part part, const subject *s) {
     case PLT_PART_WHITTED:
         return s->options->whitted > 0 ? plt_whitted_bytes(packet_side(s), s->options->whitted - 1u)
                                        : 0;
+#endif
+#if PLT_WITH_MATERIALS
     case PLT_PART_MATERIALS:
-        return s->options->whitted > 0 && !s->mapped ? s->info->material_bytes : 0;
+        return material_bytes(s);
 #endif
 #if PLT_WITH_TEXTURE
     case PLT_PART_TEXTURES:
@@ -664,13 +678,12 @@ static int is_whitted_valid(const plt_options *o) {
            (o->whitted <= 1 + PLT_BOUNCES_MOST && o->schedule == PLT_SCHEDULE_BRANCH);
 }
 
-/* Textures lie on surfaces that lights show. */
+/* Textures lie on surfaces, by the coordinates of corners. */
 static int is_textures_valid(const plt_options *o) {
 #if PLT_WITH_TEXTURE
-    return o->textures == 0
-               ? o->texture_bytes == 0
-               : o->textures <= PLT_TEXTURES_BILINEAR && o->whitted > 0 && o->surface == 1 &&
-                     (o->texture_bytes == 0 || o->texture_bytes >= PLT_TEXTURE_LEAST);
+    return o->textures == 0 ? o->texture_bytes == 0
+                            : o->textures <= PLT_TEXTURES_BILINEAR && o->surface == 1 &&
+                                  (o->texture_bytes == 0 || o->texture_bytes >= PLT_TEXTURE_LEAST);
 #else
     (void)o;
     return 1;

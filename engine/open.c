@@ -458,7 +458,7 @@ static int read_header_again(const plt_engine *e, plt_header *header, plt_fault 
         return status;
     }
     int same = now->source_triangles == before->source_triangles;
-#if PLT_WITH_WHITTED
+#if PLT_WITH_MATERIALS
     same &= now->material_bytes == before->material_bytes;
 #endif
 #if PLT_WITH_TEXTURE

@@ -255,8 +255,8 @@ typedef struct plt_options {
                       * not mapped; 0: none. With
                       * PLT_SCHEDULE_BRANCH. Without PLT_WITH_WHITTED it is not looked at */
 #if PLT_WITH_TEXTURE
-    uint8_t textures;       /* enum plt_texture_filter; of frames of PLT_SHADE_WHITTED, with
-                             * `whitted` and `surface` */
+    uint8_t textures;       /* enum plt_texture_filter; of frames of PLT_SHADE_SMOOTH and WHITTED,
+                             * with `surface`, and the image's materials if it is not mapped */
     uint32_t texture_bytes; /* with textures of an image that is not mapped: room for their tiles,
                              * 140 bytes each (PLT_TEXTURE_LEAST), as many as fit; 0: for
                              * PLT_TEXTURE_TILES. Less is fetched more often; pictures are alike */
@@ -328,7 +328,7 @@ typedef struct plt_info {
 #if PLT_WITH_PAGES
     uint32_t page_bytes; /* ... and of normals and colours, page by page */
 #endif
-#if PLT_WITH_WHITTED
+#if PLT_WITH_MATERIALS
     uint32_t material_bytes; /* ... and of materials; 0: there are none */
 #endif
 #if PLT_WITH_TEXTURE
@@ -673,8 +673,8 @@ enum plt_shader {
     PLT_SHADE_EYELIGHT = 0, /* grey by the angle to the ray (thesis, 5.1) */
     PLT_SHADE_NORMAL = 1,   /* colour by the direction of the surface */
     PLT_SHADE_TRIANGLE = 2, /* a flat colour per triangle */
-    PLT_SHADE_SMOOTH = 3,   /* as eye light, by the normals and colours of plt_surface_at; of
-                             * scenes opened with plt_options.surface */
+    PLT_SHADE_SMOOTH = 3,   /* as eye light, by the normals and colours of plt_surface_at, and
+                             * plt_options.textures; of scenes opened with plt_options.surface */
     PLT_SHADE_DEPTH = 4,    /* grey by the distance from the eye: white at the nearest point of the
                              * scene's box (the eye, if that is inside), black at its farthest
                              * corner, and black where nothing is hit */

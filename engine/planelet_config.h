@@ -163,12 +163,10 @@
 #define PLT_WITH_PAGES (PLT_WITH_SURFACE && PLT_WITH_STREAMED)
 /* ... whose surfaces have textures (plt_options.textures). */
 #ifndef PLT_WITH_TEXTURE
-#if PLT_WITH_TEXCOORDS && PLT_WITH_WHITTED
-#define PLT_WITH_TEXTURE 1
-#else
-#define PLT_WITH_TEXTURE 0
+#define PLT_WITH_TEXTURE PLT_WITH_TEXCOORDS
 #endif
-#endif
+/* Materials are of lights, and of textures, which lie on some of them. */
+#define PLT_WITH_MATERIALS (PLT_WITH_WHITTED || PLT_WITH_TEXTURE)
 /* Images may have sections behind those of tree and triangles. */
 #define PLT_WITH_FURTHER (PLT_WITH_SURFACE || PLT_WITH_WHITTED)
 
@@ -396,9 +394,8 @@
 #if (PLT_WITH_WHITTED != 0 && PLT_WITH_WHITTED != 1) || (PLT_WITH_WHITTED && !PLT_WITH_GROUPS)
 #error "PLT_WITH_WHITTED is the digit 0, or with PLT_WITH_GROUPS 1"
 #endif
-#if (PLT_WITH_TEXTURE != 0 && PLT_WITH_TEXTURE != 1) ||                                            \
-    (PLT_WITH_TEXTURE && !(PLT_WITH_TEXCOORDS && PLT_WITH_WHITTED))
-#error "PLT_WITH_TEXTURE is the digit 0, or with PLT_WITH_TEXCOORDS and PLT_WITH_WHITTED 1"
+#if (PLT_WITH_TEXTURE != 0 && PLT_WITH_TEXTURE != 1) || (PLT_WITH_TEXTURE && !PLT_WITH_TEXCOORDS)
+#error "PLT_WITH_TEXTURE is the digit 0, or with PLT_WITH_TEXCOORDS 1"
 #endif
 #if PLT_GRID_TRIANGLE_BYTES < 8 || PLT_GRID_TRIANGLE_BYTES > 1024
 #error "PLT_GRID_TRIANGLE_BYTES is 8 .. 1024"

@@ -7,6 +7,7 @@
 #include "engine/base/rules.h"
 #include "engine/image/fetch.h"
 #include "engine/image/further.h"
+#include "engine/materials_room.h"
 #include "engine/planelet_crc32.h"
 
 #if PLT_WITH_TEXTURE
@@ -38,6 +39,28 @@ static int read_directory(const plt_engine *e, plt_directory *d, const plt_secti
                                     textures->offset, fault);
 }
 
+/* Those of lights, if there is room for these, or else for textures alone. */
+static int read_materials(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
+                          plt_fault *fault) {
+    plt_materials *to = &e->rendering.paint.materials;
+#if PLT_WITH_WHITTED
+    if (e->rendering.whitted != NULL) {
+        *to = e->rendering.whitted->materials;
+        return PLT_OK;
+    }
+#endif
+    return plt_materials_room_set(e, h, part, to, fault);
+}
+
+static void set_textures(plt_engine *e, plt_textures *t) {
+    e->rendering.paint.textures = t;
+#if PLT_WITH_WHITTED
+    if (e->rendering.whitted != NULL) {
+        e->rendering.whitted->textures = t;
+    }
+#endif
+}
+
 int plt_texture_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
     plt_textures *t = part[PLT_PART_TEXTURES];
@@ -50,43 +73,42 @@ int plt_texture_room_set(plt_engine *e, const plt_header *h, void *const part[PL
         return PLT_OK;
     }
     unsigned char *room = (unsigned char *)t + PLT_TEXTURE_STATE_BYTES;
-    const int status = read_directory(e, &t->directory, textures, tiles, room, fault);
+    int status = read_directory(e, &t->directory, textures, tiles, room, fault);
+    if (status == PLT_OK) {
+        status = read_materials(e, h, part, fault);
+    }
     if (status == PLT_OK) {
         t->filter = e->options.textures;
         plt_tiles_init(&t->tiles, &e->source, tiles->offset, part[PLT_PART_TILES],
                        plt_texture_tiles_bytes(&e->options));
-        e->rendering.whitted->textures = t;
+        set_textures(e, t);
     }
     return status;
 }
 
-static plt_textures *textures_of(const plt_engine *e) {
-    return e->rendering.whitted != NULL ? e->rendering.whitted->textures : NULL;
-}
-
 void plt_texture_stats_get(const plt_engine *e, plt_texture_stats *stats) {
     const plt_texture_stats none = {0};
-    const plt_textures *t = textures_of(e);
+    const plt_textures *t = e->rendering.paint.textures;
     *stats = t != NULL ? t->tiles.stats : none;
 }
 
 void plt_texture_stats_reset(plt_engine *e) {
     const plt_texture_stats none = {0};
-    plt_textures *t = textures_of(e);
+    plt_textures *t = e->rendering.paint.textures;
     if (t != NULL) {
         t->tiles.stats = none;
     }
 }
 
 void plt_texture_forget(plt_engine *e) {
-    plt_textures *t = textures_of(e);
+    plt_textures *t = e->rendering.paint.textures;
     if (t != NULL) {
         t->tiles.failed = 0;
     }
 }
 
 int plt_texture_failed(const plt_engine *e, plt_fault *fault) {
-    const plt_textures *t = textures_of(e);
+    const plt_textures *t = e->rendering.paint.textures;
     if (t == NULL || !t->tiles.failed) {
         return 0;
     }

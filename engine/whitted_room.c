@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/whitted_room.h"
 
-#include "engine/image/further.h"
+#include "engine/materials_room.h"
 #include "engine/whitted/lights.h"
 #include "engine/whitted/whitted.h"
 
@@ -11,24 +11,16 @@
 
 int plt_whitted_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
-    const unsigned char *bytes;
     if (e->options.whitted == 0) {
         return PLT_OK; /* and there may be no header */
     }
-    const plt_section *s = plt_further_section(h, PLT_SECTION_MATERIALS);
     plt_whitted *w =
         plt_whitted_init(part[PLT_PART_WHITTED], e->options.packet_side, e->options.whitted - 1u);
 #if PLT_WITH_WAVE
     w->rays_kind = e->options.rays & 3u;
 #endif
     e->rendering.whitted = w;
-    if (s == NULL) {
-        return PLT_OK;
-    }
-    const int status = plt_further_load(&e->source, s, part[PLT_PART_MATERIALS], &bytes, fault);
-    return status != PLT_OK ? status
-                            : plt_materials_read(&w->materials, bytes, s->bytes,
-                                                 h->info.source_triangles, s->offset, fault);
+    return plt_materials_room_set(e, h, part, &w->materials, fault);
 }
 
 int plt_lighting_set(plt_engine *e, const plt_lighting *lighting) {

@@ -102,7 +102,7 @@ static void put_bytes(plt_info *info, const plt_section *s) {
         info->texcoord_bytes = s->bytes;
     }
 #endif
-#if PLT_WITH_WHITTED
+#if PLT_WITH_MATERIALS
     if (s->kind == PLT_SECTION_MATERIALS) {
         info->material_bytes = s->bytes;
     }

@@ -186,7 +186,7 @@ int plt_header_read(plt_header *header, const unsigned char bytes[PLT_HEADER_BYT
 #if PLT_WITH_TEXCOORDS
     info->texcoord_bytes = 0;
 #endif
-#if PLT_WITH_WHITTED
+#if PLT_WITH_MATERIALS
     info->material_bytes = 0;
 #endif
 #if PLT_WITH_TEXTURE

@@ -121,13 +121,20 @@
 #define PLT_PARTS_OF_TEXTURES(ROW)
 #endif
 
-#if PLT_WITH_WHITTED
-#define PLT_PARTS_OF_LIGHT(ROW)                                                                    \
-    ROW(WHITTED, RUNS, "pixels with lights and mirrors")                                           \
+#if PLT_WITH_MATERIALS
+#define PLT_PARTS_OF_MATERIALS(ROW)                                                                \
     ROW(MATERIALS, RUNS, "materials")                                                              \
     PLT_PARTS_OF_TEXTURES(ROW)
 #else
-#define PLT_PARTS_OF_LIGHT(ROW)
+#define PLT_PARTS_OF_MATERIALS(ROW)
+#endif
+
+#if PLT_WITH_WHITTED
+#define PLT_PARTS_OF_LIGHT(ROW)                                                                    \
+    ROW(WHITTED, RUNS, "pixels with lights and mirrors")                                           \
+    PLT_PARTS_OF_MATERIALS(ROW)
+#else
+#define PLT_PARTS_OF_LIGHT(ROW) PLT_PARTS_OF_MATERIALS(ROW)
 #endif
 
 /* ROW(name, lifetime, what it is) in the order of the cuts. */

@@ -20,16 +20,17 @@ typedef struct shaded {
     plt_surface_corners corners;
 } shaded;
 
-static int shade_pixel(const plt_beam *b, plt_traversal *t, uint32_t x, uint32_t y, shaded *s,
+static int shade_pixel(const plt_beam *b, const plt_smooth *how, uint32_t x, uint32_t y, shaded *s,
                        uint8_t rgb[3]) {
     const uint32_t index = plt_pixel_record(&b->pixel[y * b->square.side + x]);
     const plt_record *record = &b->records[index];
-    float corner[3][3], dir[3], u = 0.0f, v = 0.0f;
+    const uint32_t word = plt_get_u32(&record->word[9]);
+    float corner[3][3], dir[3], t = PLT_VIEW_FAR, u = 0.0f, v = 0.0f;
     plt_ray_hit hit;
     plt_surface_point point;
     if (index != s->record) {
-        const int status =
-            plt_surface_of_record(t, record, plt_beam_image_index(b, index), &s->corners);
+        const int status = plt_surface_of_record(how->traversal, record,
+                                                 plt_beam_image_index(b, index), &s->corners);
         if (status != PLT_OK) {
             return status;
         }
@@ -39,14 +40,14 @@ static int shade_pixel(const plt_beam *b, plt_traversal *t, uint32_t x, uint32_t
     plt_view_direction(b->view, b->square.x + x, b->square.y + y, dir);
     if (plt_triangle_ray(&b->origin, dir, (const float(*)[3])corner, PLT_VIEW_FAR, 1,
                          &hit)) { /* it is one */
-        plt_ray_hit_weights(&hit, plt_primitive_rotation(plt_get_u32(&record->word[9])), &u, &v);
+        plt_ray_hit_weights(&hit, plt_primitive_rotation(word), &u, &v);
+        t = hit.t;
     }
     plt_surface_mix(&s->corners, u, v, &point);
-    plt_smooth_colour(&point, dir, rgb);
-    return PLT_OK;
+    return plt_smooth_point(how, plt_primitive_id(word), dir, t, &point, rgb);
 }
 
-int plt_beam_smooth(const plt_beam *b, plt_traversal *t, const uint8_t *sky, uint8_t *rgb,
+int plt_beam_smooth(const plt_beam *b, const plt_smooth *how, const uint8_t *sky, uint8_t *rgb,
                     uint32_t row_bytes) {
     shaded s = {.record = PLT_MISS};
     const int is_empty = plt_beam_is_empty(b);
@@ -57,7 +58,7 @@ int plt_beam_smooth(const plt_beam *b, plt_traversal *t, const uint8_t *sky, uin
                 memcpy(&rgb[3 * x], sky, 3);
                 continue;
             }
-            const int status = shade_pixel(b, t, x, y, &s, &rgb[3 * x]);
+            const int status = shade_pixel(b, how, x, y, &s, &rgb[3 * x]);
             if (status != PLT_OK) {
                 return status;
             }
@@ -68,7 +69,7 @@ int plt_beam_smooth(const plt_beam *b, plt_traversal *t, const uint8_t *sky, uin
 
 #if PLT_WITH_SAMPLES
 /* Pixel (x, y) of the square. */
-static int mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, uint32_t x, uint32_t y,
+static int mix(const plt_beam *b, const plt_smooth *how, plt_sampling *s, uint32_t x, uint32_t y,
                const uint8_t sky[3], shaded *last, uint8_t rgb[3]) {
     const uint32_t across = s->across, end_x = across * (x + 1), end_y = across * (y + 1);
     plt_mix m;
@@ -77,7 +78,7 @@ static int mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, uint32_t x,
         for (uint32_t column = across * x; column < end_x; column++) {
             uint8_t colour[3] = {sky[0], sky[1], sky[2]};
             if (b->pixel[row * b->square.side + column].record != PLT_MISS) {
-                const int status = shade_pixel(b, t, column, row, last, colour);
+                const int status = shade_pixel(b, how, column, row, last, colour);
                 if (status != PLT_OK) {
                     return status;
                 }
@@ -89,8 +90,8 @@ static int mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, uint32_t x,
     return PLT_OK;
 }
 
-int plt_beam_smooth_mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, const uint8_t *sky,
-                        uint8_t *rgb, uint32_t row_bytes) {
+int plt_beam_smooth_mix(const plt_beam *b, const plt_smooth *how, plt_sampling *s,
+                        const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
     shaded last = {.record = PLT_MISS};
     const int is_empty = plt_beam_is_empty(b);
     for (uint32_t y = 0; y < b->rows / s->across; y++, rgb += row_bytes, sky += 3) {
@@ -102,7 +103,7 @@ int plt_beam_smooth_mix(const plt_beam *b, plt_traversal *t, plt_sampling *s, co
                 memcpy(&rgb[3 * x], sky, 3);
                 continue;
             }
-            const int status = mix(b, t, s, x, y, sky, &last, &rgb[3 * x]);
+            const int status = mix(b, how, s, x, y, sky, &last, &rgb[3 * x]);
             if (status != PLT_OK) {
                 return status;
             }

@@ -87,6 +87,11 @@ static inline uint32_t plt_view_across(const plt_view *v) {
 #endif
 }
 
+/* The side of a pixel, or of a sample, at a distance of 1. */
+static inline float plt_view_pixel_angle(const plt_view *v, const plt_frame *frame) {
+    return 2.0f * frame->camera.tan_half_fov / (float)(frame->height * plt_view_across(v));
+}
+
 /* The direction through a point of the frame. */
 static inline void plt_view_point(const plt_view *v, float x, float y, float dir[3]) {
     PLT_UNROLLED for (int a = 0; a < 3; a++) {

@@ -286,18 +286,18 @@ static void shade_square(plt_rendering *r) {
 }
 
 #if PLT_WITH_SURFACE && PLT_WITH_SAMPLES
-static int mix_smooth(plt_rendering *r, plt_traversal *t, const plt_packet *p,
+static int mix_smooth(plt_rendering *r, const plt_smooth *how, const plt_packet *p,
                       const plt_pixels *pixels) {
     const uint32_t row_bytes = 3 * plt_tile_width(&r->frame, &r->at);
     uint8_t *rgb = plt_mix_tile(r);
     const uint8_t *sky = plt_mix_sky(r);
 #if PLT_WITH_BEAMS
     if (HAS_BEAMS(r)) {
-        return plt_beam_smooth_mix(r->beam, t, &r->sampling, sky, rgb, row_bytes);
+        return plt_beam_smooth_mix(r->beam, how, &r->sampling, sky, rgb, row_bytes);
     }
 #endif
 #if PLT_WITH_GROUPS
-    return plt_smooth_mix(t, p, &r->sampling, pixels, sky, rgb, row_bytes);
+    return plt_smooth_mix(how, p, &r->sampling, pixels, sky, rgb, row_bytes);
 #endif
     (void)p;
     (void)pixels;
@@ -313,18 +313,24 @@ PLT_APART_ON_SMALL_STACKS static int shade_smooth(plt_rendering *r, plt_traversa
     const uint32_t width = plt_tile_width(&r->frame, &r->at);
     uint8_t *rgb = &r->tile[3 * (r->at.py * width + r->at.px)];
     const uint8_t *sky = &r->sky[3 * r->at.py];
+#if PLT_WITH_TEXTURE
+    r->paint.angle = plt_view_pixel_angle(&r->view, &r->frame);
+    const plt_smooth how = {.traversal = t, .paint = &r->paint};
+#else
+    const plt_smooth how = {.traversal = t};
+#endif
 #if PLT_WITH_SAMPLES
     if (r->sampling.across > 1) {
-        return mix_smooth(r, t, p, pixels);
+        return mix_smooth(r, &how, p, pixels);
     }
 #endif
 #if PLT_WITH_BEAMS
     if (HAS_BEAMS(r)) {
-        return plt_beam_smooth(r->beam, t, sky, rgb, 3 * width);
+        return plt_beam_smooth(r->beam, &how, sky, rgb, 3 * width);
     }
 #endif
 #if PLT_WITH_GROUPS
-    return plt_smooth_shade(t, p, pixels, sky, rgb, 3 * width);
+    return plt_smooth_shade(&how, p, pixels, sky, rgb, 3 * width);
 #endif
 #endif
     (void)r;

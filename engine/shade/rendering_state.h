@@ -8,6 +8,7 @@
 #include "engine/shade/beam.h"
 #include "engine/shade/frame_place.h"
 #include "engine/shade/sampling.h"
+#include "engine/shade/smooth_paint.h"
 #include "engine/whitted/state.h"
 
 #define PLT_TILE_BUFFER_BYTES (3 * PLT_TILE_SIDE * PLT_TILE_SIDE)
@@ -25,6 +26,9 @@ typedef struct plt_rendering {
     plt_frame_place at; /* the current packet */
 #if PLT_WITH_WHITTED
     plt_whitted *whitted; /* NULL: there is no room for it */
+#endif
+#if PLT_WITH_TEXTURE
+    plt_smooth_paint paint;
 #endif
 #if PLT_WITH_MIXES
     plt_sampling sampling;

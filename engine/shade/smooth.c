@@ -39,36 +39,35 @@ typedef struct shaded {
     plt_surface_corners corners;
 } shaded;
 
-static int shade_lane(plt_traversal *t, const plt_packet *p, uint32_t ray, shaded *s,
+static int shade_lane(const plt_smooth *how, const plt_packet *p, uint32_t ray, shaded *s,
                       uint8_t rgb[3]) {
     const plt_group_rays *g = &p->rays[ray / 4];
     const unsigned lane = ray % 4;
     const float dir[3] = {g->dir[0][lane], g->dir[1][lane], g->dir[2][lane]};
     plt_surface_point point;
     if (g->id[lane] != s->id) {
-        const int status = plt_surface_of_ray(t, p, ray, &s->corners);
+        const int status = plt_surface_of_ray(how->traversal, p, ray, &s->corners);
         if (status != PLT_OK) {
             return status;
         }
         s->id = g->id[lane];
     }
     plt_surface_mix(&s->corners, g->u[lane], g->v[lane], &point);
-    plt_smooth_colour(&point, dir, rgb);
-    return PLT_OK;
+    return plt_smooth_point(how, s->id, dir, p->slabs.group[ray / 4].tmax[lane], &point, rgb);
 }
 
 /* Of ray k. */
-static int shade_ray(plt_traversal *t, const plt_packet *p, uint32_t k, const uint8_t sky[3],
+static int shade_ray(const plt_smooth *how, const plt_packet *p, uint32_t k, const uint8_t sky[3],
                      shaded *s, uint8_t rgb[3]) {
     const plt_group_rays *g = &p->rays[k / 4];
     if (p->active == 0 || !(g->valid >> k % 4 & 1u) || g->id[k % 4] == PLT_MISS) {
         memcpy(rgb, sky, 3);
         return PLT_OK;
     }
-    return shade_lane(t, p, k, s, rgb);
+    return shade_lane(how, p, k, s, rgb);
 }
 
-int plt_smooth_shade(plt_traversal *t, const plt_packet *p, const plt_pixels *pixels,
+int plt_smooth_shade(const plt_smooth *how, const plt_packet *p, const plt_pixels *pixels,
                      const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
     const uint32_t columns = pixels->x_end - pixels->x, rows = pixels->y_end - pixels->y;
     shaded s = {.id = PLT_MISS};
@@ -76,15 +75,15 @@ int plt_smooth_shade(plt_traversal *t, const plt_packet *p, const plt_pixels *pi
     for (uint32_t k = 0; k < pixels->side * pixels->side && status == PLT_OK; k++) {
         const uint32_t x = plt_z_order_x(k), y = plt_z_order_y(k);
         if (x < columns && y < rows) {
-            status = shade_ray(t, p, k, &sky[3 * y], &s, &rgb[y * row_bytes + 3 * x]);
+            status = shade_ray(how, p, k, &sky[3 * y], &s, &rgb[y * row_bytes + 3 * x]);
         }
     }
     return status;
 }
 
 #if PLT_WITH_SAMPLES
-int plt_smooth_mix(plt_traversal *t, const plt_packet *p, plt_sampling *s, const plt_pixels *pixels,
-                   const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
+int plt_smooth_mix(const plt_smooth *how, const plt_packet *p, plt_sampling *s,
+                   const plt_pixels *pixels, const uint8_t *sky, uint8_t *rgb, uint32_t row_bytes) {
     shaded last = {.id = PLT_MISS};
     plt_mix_pixels k;
     plt_mix_pixels_set(&k, s, pixels);
@@ -93,7 +92,7 @@ int plt_smooth_mix(plt_traversal *t, const plt_packet *p, plt_sampling *s, const
         plt_mix_begin(&m);
         for (uint32_t i = 0; i < k.rays; i++) {
             uint8_t colour[3];
-            const int status = shade_ray(t, p, k.first + i, &sky[3 * k.y], &last, colour);
+            const int status = shade_ray(how, p, k.first + i, &sky[3 * k.y], &last, colour);
             if (status != PLT_OK) {
                 return status;
             }

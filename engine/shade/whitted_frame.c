@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/whitted_frame.h"
 
+#include "engine/base/srgb.h"
 #include "engine/shade/surface.h"
 #include "engine/whitted/lights.h"
 #include "engine/whitted/point.h"
-#include "engine/whitted/srgb.h"
 #include "engine/whitted/whitted.h"
 
 #if PLT_WITH_WHITTED

@@ -20,8 +20,7 @@ void plt_whitted_frame_set(plt_whitted *w, const plt_frame *frame, const plt_box
 static inline void plt_whitted_frame_view(plt_whitted *w, const plt_frame *frame,
                                           const plt_view *view) {
 #if PLT_WITH_TEXTURE
-    const float rows = (float)(frame->height * plt_view_across(view));
-    w->angle = 2.0f * frame->camera.tan_half_fov / rows;
+    w->angle = plt_view_pixel_angle(view, frame);
 #else
     (void)w;
     (void)frame;

@@ -7,7 +7,7 @@
 #include "engine/base/rules.h"
 #include "engine/image/further.h"
 
-#if PLT_WITH_WHITTED
+#if PLT_WITH_MATERIALS
 
 enum { AT_COUNT = 0, AT_BITS = 4, AT_RUNS = 8, AT_TRIANGLES = 12, AT_RESERVED = 16 };
 enum { AT_TRANSPARENCY = 52 }; /* in a material */

@@ -396,7 +396,7 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
     return status;
 }
 
-/* Lights fall on normals, colours and textures of the image, if it has any that can be had; of
+/* Lights fall on normals and colours of the image, if it has any that can be had; of
  * streamed scenes those cannot that are in tables, as coordinates of textures are (textures_say).
  */
 static void choose_surface(scene *s, const plt_info *info) {
@@ -405,8 +405,7 @@ static void choose_surface(scene *s, const plt_info *info) {
         s->options.surface = 1;
         s->options.surface = plt_arena_need(info, 0, &s->options) > 0;
     }
-    const int has_textures = s->options.whitted > 0 && s->options.surface &&
-                             s->options.residency == PLT_RESIDENCY_WHOLE &&
+    const int has_textures = s->options.surface && s->options.residency == PLT_RESIDENCY_WHOLE &&
                              info->texture_bytes > 0 && s->textures != PLT_TEXTURES_NONE;
     s->options.textures = has_textures ? s->textures : (uint8_t)PLT_TEXTURES_NONE;
     s->options.texture_bytes = has_textures ? s->texture_bytes : 0;

@@ -22,13 +22,14 @@ void textures_read(scene *s, args *a, uint8_t shader) {
     static const char *const choices[] = {"bilinear", "nearest", "none", NULL};
     static const uint8_t filters[] = {PLT_TEXTURES_BILINEAR, PLT_TEXTURES_NEAREST,
                                       PLT_TEXTURES_NONE};
-    const int is_lit = shader == PLT_SHADE_WHITTED;
+    const int is_shown = shader == PLT_SHADE_WHITTED || shader == PLT_SHADE_SMOOTH;
     s->textures = filters[args_choice(a, "--textures", choices, 0)];
     s->texture_bytes = (uint32_t)args_number(a, "--texture-room", 0, PLT_TEXTURE_LEAST, ROOM_MOST);
-    if (!is_lit && (args_has(a, "--textures") || args_has(a, "--texture-room"))) {
-        args_complain(a, "--textures and --texture-room are for --shader whitted; add that");
+    if (!is_shown && (args_has(a, "--textures") || args_has(a, "--texture-room"))) {
+        args_complain(a,
+                      "--textures and --texture-room are for --shader smooth or whitted; add one");
     }
-    if (is_lit && is_asked_for(s, a) && is_streamed(a)) {
+    if (is_shown && is_asked_for(s, a) && is_streamed(a)) {
         args_complain(a,
                       "--textures and --texture-room are of resident scenes; leave out "
                       "--residency streamed");
@@ -37,8 +38,9 @@ void textures_read(scene *s, args *a, uint8_t shader) {
 
 void textures_say(const scene *s, const char *path) {
     const plt_info *info = plt_engine_info(s->engine);
-    if (s->options.whitted > 0 && s->options.residency == PLT_RESIDENCY_STREAMED &&
-        info->texture_bytes > 0 && s->textures != PLT_TEXTURES_NONE) {
+    const int is_shown = s->options.surface || s->options.whitted > 0;
+    if (is_shown && s->options.residency == PLT_RESIDENCY_STREAMED && info->texture_bytes > 0 &&
+        s->textures != PLT_TEXTURES_NONE) {
         fprintf(stderr, "%s: without its textures, as it is streamed\n", path);
     }
     if (s->options.whitted > 0 && s->options.residency == PLT_RESIDENCY_STREAMED &&

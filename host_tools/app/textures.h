@@ -10,11 +10,12 @@
 
 #define TEXTURES_FLAGS                                                                             \
     {"--textures", "bilinear|nearest|none",                                                        \
-     "whitted, resident: textures of the image, mixed between four texels, or in squares, or not " \
+     "smooth or whitted, resident: textures of the image, mixed between four texels, or in "       \
+     "squares, or not "                                                                            \
      "at all (default bilinear)"},                                                                 \
     {                                                                                              \
         "--texture-room", "BYTES",                                                                 \
-            "whitted, with --source read or dma: memory for their tiles, 140 each, 140 to "        \
+            "likewise, with --source read or dma: memory for their tiles, 140 each, 140 to "       \
             "1073741824 (default 8960)"                                                            \
     }
 

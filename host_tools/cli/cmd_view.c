@@ -278,6 +278,7 @@ static void read_flags(viewing *v, args *a) {
     v->screen.graphics = (enum viewer_graphics)args_choice(a, "--graphics", graphics, VIEWER_AUTO);
     v->frame.shader = view_shader(a);
     v->s.options.surface = v->frame.shader == PLT_SHADE_SMOOTH;
+    v->s.textures = PLT_TEXTURES_BILINEAR;
     view_background(a, &v->frame);
 }
 

@@ -1,8 +1,9 @@
 /* png_read - a PNG picture of 8 bits per channel, not interlaced
  *
  * Grey, colour and palette, with or without alpha, which is laid on black.
- * Checksums are ignored: a damaged picture shows where it is damaged. The file
- * is untrusted; every length is checked before it is used.
+ * A chunk whose checksum is wrong is refused; that of the samples themselves,
+ * Adler's, is not read. The file is untrusted; every length is checked before it
+ * is used. What is behind IEND is not read.
  *
  * Source: W3C, "Portable Network Graphics (PNG) Specification (Third
  * Edition)", 2025.
@@ -11,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/planelet_crc32.h"
 #include "host_tools/picture/inflate.h"
 #include "host_tools/picture/png.h"
 
@@ -70,16 +72,34 @@ static int read_chunk(png *p, const uint8_t *kind, uint32_t bytes, fail *f) {
     return 0;
 }
 
+/* A kind is four letters (section 5.3); of others there is no name to say. */
+static int fail_chunk(const png *p, size_t at, fail *f) {
+    char kind[5] = {0};
+    for (size_t i = 0; i < 4; i++) {
+        const uint8_t letter = p->file[at + 4 + i];
+        const int is_one = (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+        kind[i] = is_one ? (char)letter : '?';
+    }
+    return fail_set(f, p->name, "its chunk %s at byte %zu is damaged (CRC); write it again", kind,
+                    at);
+}
+
 static int read_chunks(png *p, fail *f) {
     size_t at = PNG_SIGNATURE_BYTES;
-    while (p->bytes - at >= 12) {
+    int is_end = 0;
+    while (!is_end && p->bytes - at >= 12) {
         const uint32_t bytes = u32(p->file + at);
+        const uint8_t *kind = p->file + at + 4;
         if (bytes > p->bytes - at - 12) {
             break;
         }
-        if (read_chunk(p, p->file + at + 4, bytes, f) != 0) {
+        if (plt_crc32(0, kind, (size_t)bytes + 4) != u32(kind + 4 + bytes)) {
+            return fail_chunk(p, at, f);
+        }
+        if (read_chunk(p, kind, bytes, f) != 0) {
             return -1;
         }
+        is_end = memcmp(kind, "IEND", 4) == 0;
         at += 12 + (size_t)bytes;
     }
     if (p->width == 0 || p->packed_bytes < 6) {

@@ -78,9 +78,9 @@ static void choose_options(const plt_info *info, unsigned shader) {
         if (plt_arena_need(info, 0, &viewed.options) == 0) {
             viewed.options.surface = 0; /* not streamed, unless they are in pages */
         }
-        if (viewed.options.surface && viewed.where != VIEW_STREAMED && info->texture_bytes > 0) {
-            viewed.options.textures = PLT_TEXTURES_BILINEAR;
-        }
+    }
+    if (viewed.options.surface && viewed.where != VIEW_STREAMED && info->texture_bytes > 0) {
+        viewed.options.textures = PLT_TEXTURES_BILINEAR;
     }
 }
 

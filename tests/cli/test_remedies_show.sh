@@ -72,10 +72,20 @@ cured show ground.plt --frames 1
 
 # ---- PNG: host_tools/picture/png_read.c --------------------------------------------------------
 
-# patched FILE BYTE OCTAL: bad.png, FILE with other bytes from BYTE on.
-patched() {
+# damaged FILE BYTE OCTAL: bad.png, FILE with other bytes from BYTE on.
+damaged() {
     { head -c "$2" "$1"; bytes part "$3"; cat part; tail -c +$(($2 + 1 + $(wc -c <part))) "$1"; } \
         >bad.png
+}
+# patched FILE BYTE OCTAL: likewise, with the CRC of the first chunk, IHDR, which BYTE is of.
+patched() {
+    damaged "$@"
+    mv bad.png part.png
+    {
+        head -c 29 part.png
+        head -c 29 part.png | tail -c 17 | crc_of
+        tail -c +34 part.png
+    } >bad.png
 }
 rows='\3abcdabcdabcd\4abcdabcdabcd\0abcdabcdabcd'
 picture 2 "$rows" >eight.png
@@ -83,6 +93,15 @@ for wrong in '24 \020' '28 \001' '25 \001'; do # bits per channel, interlaced, a
     # shellcheck disable=SC2086
     patched eight.png $wrong
     says "only PNG of 8 bits, not interlaced, is read; convert it" show bad.png
+    cured show eight.png
+done
+# The head begins at 8, its width at 16 and its CRC at 29; a palette at 33, samples behind that.
+for wrong in '16 \0\0\0\5 IHDR 8' '32 \0 IHDR 8' '42 \1 PLTE 33' '66 \1 IDAT 54'; do
+    # shellcheck disable=SC2086
+    set -- $wrong
+    damaged eight.png "$1" "$2"
+    says "its chunk %s at byte %zu is damaged (CRC); write it again" show bad.png
+    verdict "... $3 at byte $4 is named" "$(grep -q "chunk $3 at byte $4 is" err || cat err)"
     cured show eight.png
 done
 patched eight.png 16 '\0\0\200\001'

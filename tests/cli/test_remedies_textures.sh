@@ -88,6 +88,8 @@ wrong "ends before the last of %u x %u pixels; write it again"
 printf 'P5 16385 1 255\n' >bad.ppm
 head -c 16385 /dev/zero >>bad.ppm
 wrong "a texture of %u x %u pixels is too large; make it %d at most"
+{ head -c 20 p.png; printf '\1'; tail -c +22 p.png; } >bad.ppm
+wrong "its chunk %s at byte %zu is damaged (CRC); write it again"
 head -c 60 p.png >bad.ppm
 wrong "holds no picture; write it again"
 mkdir folder.png
@@ -170,10 +172,12 @@ same none.plt bare.plt "an image without textures is what it was before there we
 
 for flag in '--textures nearest' '--texture-room 1000'; do
     # shellcheck disable=SC2086
-    says "--textures and --texture-room are for --shader whitted; add that" render x.plt \
+    says "--textures and --texture-room are for --shader smooth or whitted; add one" render x.plt \
         -o x.png --size 8x8 $flag
-    # shellcheck disable=SC2086
-    cured render x.plt -o x.png --size 8x8 $flag --shader whitted
+    for shader in smooth whitted; do
+        # shellcheck disable=SC2086
+        cured render x.plt -o x.png --size 8x8 $flag --shader $shader
+    done
 done
 for flag in '--textures nearest' '--texture-room 1000'; do
     # shellcheck disable=SC2086
@@ -191,6 +195,14 @@ verdict "... but not if they are not wanted" "$([ "$status" -eq 0 ] || cat err; 
 same x.png y.png "... and is the picture without them"
 run render x.plt -o x.png --size 8x8 --shader whitted
 verdict "... nor does one that has them" "$([ "$status" -eq 0 ] || cat err; cat err)"
+run render x.plt -o x.ppm --size 8x8 --shader smooth
+for how in '--source read' '--packet 2' '--source read --texture-room 140'; do
+    # shellcheck disable=SC2086
+    run render x.plt -o y.ppm --size 8x8 --shader smooth $how
+    same x.ppm y.ppm "smooth has textures, $how: the same picture"
+done
+run render x.plt -o y.ppm --size 8x8 --shader smooth --textures none
+verdict "... and another without them" "$(cmp -s x.ppm y.ppm && echo "the same picture")"
 for room in 139 x 1073741825; do
     run render x.plt -o y.png --size 8x8 --shader whitted --texture-room "$room"
     verdict "--texture-room $room is refused in a sentence" "$(

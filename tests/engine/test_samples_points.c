@@ -13,11 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/base/srgb.h"
 #include "engine/engine.h"
 #include "engine/shade/smooth.h"
 #include "engine/shade/surface.h"
 #include "engine/whitted/lights.h"
-#include "engine/whitted/srgb.h"
 #include "engine/whitted/whitted.h"
 #include "tests/reference/frames.h"
 #include "tests/reference/lit_rig.h"

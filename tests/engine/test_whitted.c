@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/base/srgb.h"
 #include "engine/whitted/lights.h"
 #include "engine/whitted/optics.h"
-#include "engine/whitted/srgb.h"
 #include "engine/whitted/state.h"
 #include "tests/reference/frames.h"
 #include "tests/reference/lit_rig.h"

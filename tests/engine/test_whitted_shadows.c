@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/base/srgb.h"
 #include "engine/whitted/shadows.h"
-#include "engine/whitted/srgb.h"
 #include "tests/reference/frames.h"
 #include "tests/reference/lit_rig.h"
 #include "tests/test.h"

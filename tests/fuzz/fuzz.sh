@@ -29,6 +29,7 @@ sources_of() { # TARGET
         ;;
     png)
         echo host_tools/base/fail.c host_tools/picture/picture.c host_tools/picture/png_read.c
+        echo engine/base/crc32.c
         ls host_tools/picture/inflate.c host_tools/picture/deflate*.c \
             host_tools/picture/huffman.c host_tools/picture/bits.c
         ;;

@@ -216,12 +216,19 @@ END
     } >"$1/member.txt"
 }
 
-chunk() { # KIND: what is on standard input; nobody looks at the sum
-    cat >"$work/chunk"
-    big32 "$(wc -c <"$work/chunk")"
-    printf '%s' "$1"
+# crc_of: that of standard input, the greatest byte first; gzip has it in front of the size.
+crc_of() {
+    # shellcheck disable=SC2046
+    set -- $(gzip -nc | tail -c 8 | od -An -tu1 -N4)
+    # shellcheck disable=SC2059
+    printf "$(printf '\\%03o\\%03o\\%03o\\%03o' "$4" "$3" "$2" "$1")"
+}
+
+chunk() { # KIND: what is on standard input
+    { printf '%s' "$1"; cat; } >"$work/chunk"
+    big32 $(($(wc -c <"$work/chunk") - 4))
     cat "$work/chunk"
-    big32 0
+    crc_of <"$work/chunk"
 }
 
 # picture COLOUR ROWS: 4 pixels wide, 3 high, of this colour type; ROWS is for printf.

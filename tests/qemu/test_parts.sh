@@ -379,6 +379,30 @@ if part "render thesis surface texcoords whitted texture"; then
         done
     done
 fi
+# ... and without lights, by groups and by beams.
+smooth_texture() { # FOLDER
+    for filter in nearest bilinear; do
+        view=$(sh board/tools/host_view.sh "$out/checks.plt" 80x60 "$out/host.ppm" \
+            --shader smooth --textures $filter)
+        for source in '' file; do
+            # shellcheck disable=SC2086
+            text=$(FIRMWARE=$1 SOURCE=$source sh board/mps2_an386/run.sh "$out/checks.plt" \
+                size=80x60 shader=smooth textures=$filter ${view#* } 2>&1)
+            verdict "${1##*/}, smooth, textures=$filter${source:+, from a file}: the frame of the \
+host" "$(
+                [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+                    echo "$text")"
+        done
+    done
+}
+smooth_texture "$texture"
+texture=$BUILD/mps2_an386-frames-render-surface-texcoords-texture-thesis
+if part "render thesis frames surface texcoords texture"; then
+    smooth_texture "$texture"
+fi
+trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis surface texture' 2>&1)
+verdict "PARTS with texture and without texcoords is refused, with what it may be" "$(
+    echo "$trouble" | grep -q "PARTS with texture has .*: make PARTS='" || echo "$trouble")"
 instances=$BUILD/mps2_an386-instances-render-thesis
 # shows_instances [SOURCE=file]: frames of marbles that are instances; of the last one the host's
 # program says how long it takes.

@@ -219,6 +219,7 @@ static void read_flags(live *l, args *a) {
     l->orbit = (double)orbit;
     l->is_bare = args_has(a, "--bare");
     l->scene.options.surface = l->frame.shader == PLT_SHADE_SMOOTH;
+    l->scene.textures = PLT_TEXTURES_BILINEAR;
 }
 
 static void aim_at(live *l, args *a) {

@@ -1,8 +1,8 @@
 /* srgb - light to the bytes of a picture
  *
  * SPDX-License-Identifier: MIT */
-#ifndef PLT_WHITTED_SRGB_H
-#define PLT_WHITTED_SRGB_H
+#ifndef PLT_BASE_SRGB_H
+#define PLT_BASE_SRGB_H
 
 #include <stdint.h>
 
