@@ -254,16 +254,22 @@ const plt_record *plt_beam_store(plt_beam *b, const plt_leaf *leaf, uint32_t tri
 void plt_beam_test_pixel(plt_beam *b, const plt_record *record, uint32_t x, uint32_t y);
 void plt_beam_test_planes(plt_beam *b, const plt_record *record);
 
+/* Pixels of the square, both ends included. */
+typedef struct plt_beam_part {
+    uint32_t left, right, top, bottom;
+} plt_beam_part;
+
 #if PLT_WITH_SAMPLES
-/* The latter where a pixel has several samples (beam_samples.c). */
-void plt_beam_test_samples(plt_beam *b, const plt_record *record);
+/* The latter where a pixel has several samples, a part of which is in `part` (beam_samples.c). */
+void plt_beam_test_samples(plt_beam *b, const plt_record *record, const plt_beam_part *part);
 #endif
 
 /* A triangle that is not projected. */
 static inline void plt_beam_test_unprojected(plt_beam *b, const plt_record *record) {
 #if PLT_WITH_SAMPLES
     if (b->view->across > 1) {
-        plt_beam_test_samples(b, record);
+        const plt_beam_part all = {0, b->columns - 1, 0, b->rows - 1};
+        plt_beam_test_samples(b, record, &all);
         return;
     }
 #endif

@@ -8,15 +8,15 @@
 
 #if PLT_WITH_SAMPLES || PLT_WITH_DIAGRAMS
 
-/* A pixel: its first sample in the square, and the direction through its middle. */
+/* A pixel: its first sample in the square, and how it is seen through its middle. */
 typedef struct place {
     uint32_t x, y;
-    float dir[3];
+    plt_sight seen;
     const uint8_t *sky;
 } place;
 
 /* Triangles that were shaded last: those of pixels side by side follow each other in lists. */
-#define SHADED 4u
+#define SHADED 16u
 
 typedef struct some_shaded {
     shaded of[SHADED];
@@ -42,30 +42,11 @@ static void depth_of(plt_beam *b, const plt_sampling *s, uint32_t x, uint32_t y,
 }
 #endif
 
-/* Of the sample in column x and row y of the square. */
-static void colour_of(plt_beam *b, const plt_sampling *s, const place *at, uint32_t x, uint32_t y,
-                      some_shaded *last, uint8_t rgb[3]) {
-#if PLT_WITH_DIAGRAMS
-    if (has_depths(s)) {
-        depth_of(b, s, x, y, rgb);
-        return;
-    }
-#endif
-    const plt_pixel *sample = sample_at(b, x, y);
-    if (sample->record == PLT_MISS) {
-        memcpy(rgb, at->sky, 3);
-        return;
-    }
-    const uint32_t record = plt_pixel_record(sample);
-    shaded *shown = &last->of[record % SHADED];
-    if (record != shown->record) {
-        set_shaded(shown, b->records, record);
-    }
-    plt_surface_colour(&shown->surface, s->frame->shader, shown->id, at->dir, rgb);
-}
-
 /* The record that all samples have, or PLT_MISS if none has any; else what no record is. */
 #define MIXED (PLT_MISS - 1)
+
+/* The record of a sample that hits nothing, without PLT_PIXEL_BOUND. */
+#define NONE (PLT_MISS & ~PLT_PIXEL_BOUND)
 
 static inline uint32_t record_of_all(const plt_pixel *sample, uint32_t across, uint32_t side) {
     const uint32_t record = sample->record;
@@ -83,55 +64,107 @@ static inline uint32_t record_of_all(const plt_pixel *sample, uint32_t across, u
     return (other & ~PLT_PIXEL_BOUND) == 0 ? record : MIXED;
 }
 
+/* Of a record, or of the sky. */
+static void colour_of(const plt_beam *b, const plt_sampling *s, const place *at, uint32_t record,
+                      some_shaded *last, uint8_t rgb[3]) {
+    if (record == NONE) {
+        rgb[0] = at->sky[0];
+        rgb[1] = at->sky[1];
+        rgb[2] = at->sky[2];
+        return;
+    }
+    shaded *shown = &last->of[record % SHADED];
+    if (record != shown->record) {
+        plt_shaded_set(shown, b->records, record);
+    }
+    plt_surface_seen(&shown->surface, s->frame->shader, shown->id, &at->seen, rgb);
+}
+
 #if PLT_WITH_SAMPLES
-/* How many of a pixel's samples from `first` on have the record of that one; they are PLT_MISS - 1
- * from then on, and count no more. */
-static uint32_t take_alike(uint32_t record[16], uint32_t first, uint32_t samples) {
-    const uint32_t of = record[first];
-    uint32_t count = 0;
-    for (uint32_t i = first; i < samples; i++) {
-        if (record[i] == of) {
-            record[i] = MIXED;
+/* How many of a pixel's samples after the first have its record; they are MIXED from then on, and
+ * count no more. */
+static inline uint32_t take_alike(uint32_t *first, const uint32_t *end) {
+    const uint32_t of = *first;
+    uint32_t count = 1;
+    for (uint32_t *record = first + 1; record < end; record++) {
+        if (*record == of) {
+            *record = MIXED;
             count++;
         }
     }
     return count;
 }
 
-static void mix(plt_beam *b, plt_sampling *s, const place *at, uint32_t bit, some_shaded *last,
-                uint8_t rgb[3]) {
-    const uint32_t across = s->across, samples = across * across; /* 2 or 4 */
-    const uint32_t last_column = across - 1, shift = across / 2;
-    uint32_t record[16];
-    plt_mix m;
-    plt_mix_begin(&m);
-    for (uint32_t i = 0; i < samples; i++) {
-        record[i] = plt_pixel_record(sample_at(b, at->x + (i & last_column), at->y + (i >> shift)));
+/* The records of a pixel's samples; returns their end. */
+static inline uint32_t *get_records(const plt_pixel *sample, uint32_t across, uint32_t side,
+                                    uint32_t *to) {
+    for (const plt_pixel *end = sample + across * side; sample < end; sample += side) {
+        *to++ = plt_pixel_record(&sample[0]);
+        *to++ = plt_pixel_record(&sample[1]);
+        if (across > 2) {
+            *to++ = plt_pixel_record(&sample[2]);
+            *to++ = plt_pixel_record(&sample[3]);
+        }
     }
-    for (uint32_t i = 0; i < samples; i++) {
+    return to;
+}
+
+static void mix(const plt_beam *b, plt_sampling *s, const place *at, uint32_t bit,
+                some_shaded *last, uint8_t rgb[3]) {
+    uint32_t records[16];
+    plt_mix m;
+    plt_mix_start(s, &m);
+    const uint32_t *end =
+        get_records(sample_at(b, at->x, at->y), s->across, b->square.side, records);
+    for (uint32_t *record = records; record < end; record++) {
         uint8_t colour[3];
-        if (record[i] != MIXED) {
-            colour_of(b, s, at, at->x + (i & last_column), at->y + (i >> shift), last, colour);
-            plt_mix_add(&m, colour, has_depths(s) ? 1 : take_alike(record, i, samples));
+        if (*record != MIXED) {
+            colour_of(b, s, at, *record, last, colour);
+            plt_mix_add(&m, colour, take_alike(record, end));
         }
     }
     plt_mix_put(s, &m, bit, rgb);
 }
+
+#if PLT_WITH_DIAGRAMS
+static void mix_depths(plt_beam *b, plt_sampling *s, const place *at, uint32_t bit,
+                       uint8_t rgb[3]) {
+    const uint32_t across = s->across;
+    plt_mix m;
+    plt_mix_start(s, &m);
+    for (uint32_t i = 0; i < across * across; i++) {
+        uint8_t colour[3];
+        depth_of(b, s, at->x + i % across, at->y + i / across, colour);
+        plt_mix_add(&m, colour, 1);
+    }
+    plt_mix_put(s, &m, bit, rgb);
+}
+#endif
 #endif
 
-/* A pixel of which not all that is seen is the sky. */
-static void shade(plt_beam *b, plt_sampling *s, const place *at, uint32_t bit, int is_mixed,
+/* A pixel of which not all that is seen is the sky; `record`: that all samples have, or MIXED. */
+static void shade(plt_beam *b, plt_sampling *s, const place *at, uint32_t bit, uint32_t record,
                   some_shaded *last, uint8_t rgb[3]) {
+#if PLT_WITH_DIAGRAMS
+    if (has_depths(s)) {
 #if PLT_WITH_SAMPLES
-    if (is_mixed) {
+        if (s->across > 1) {
+            mix_depths(b, s, at, bit, rgb);
+            return;
+        }
+#endif
+        depth_of(b, s, at->x, at->y, rgb);
+        return;
+    }
+#endif
+#if PLT_WITH_SAMPLES
+    if (record == MIXED) {
         mix(b, s, at, bit, last, rgb);
         return;
     }
-#else
-    (void)is_mixed;
 #endif
     (void)bit;
-    colour_of(b, s, at, at->x, at->y, last, rgb);
+    colour_of(b, s, at, record & ~PLT_PIXEL_BOUND, last, rgb);
 }
 
 static void shade_nothing(const plt_beam *b, const plt_sampling *s, const uint8_t *sky,
@@ -163,9 +196,10 @@ static void shade_row(plt_beam *b, plt_sampling *s, uint32_t y, const uint8_t *s
             rgb[2] = blue;
             continue;
         }
-        const int is_mixed = across > 1 && (record == MIXED || depths);
-        plt_view_direction(&s->middle, first_x + x, row, at.dir);
-        shade(b, s, &at, plt_mixed_bit(s, x, y), is_mixed, last, rgb);
+        float dir[3];
+        plt_view_direction(&s->middle, first_x + x, row, dir);
+        plt_sight_set(&at.seen, dir);
+        shade(b, s, &at, plt_mixed_bit(s, x, y), record, last, rgb);
     }
 }
 

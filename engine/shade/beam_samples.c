@@ -31,10 +31,10 @@ static float size_of(const float a[3]) {
 }
 
 /* Planes through the eye and an edge, times the direction in the middle of the square's first
- * pixel; how much they change to the next, and by how much a sample's may be above or below, the
- * margin included. */
+ * pixel; how much they change to the next; their margins, and by how much a sample's may be above
+ * or below, the margin included. */
 typedef struct planes {
-    float first[3], right[3], down[3], beside[3];
+    float first[3], right[3], down[3], margin[3], beside[3];
     float volume, volume_error; /* n . q, and how far off it may be */
     float error, near;          /* of t: a share of it, and one that is to be divided by it */
 } planes;
@@ -50,11 +50,11 @@ static void set_plane(planes *p, const plt_beam *b, int c, const float from[3], 
     float normal[3];
     plt_cross(from, to, normal);
     const float right = dot(normal, b->view->right), down = dot(normal, b->view->down);
-    const float margin = b->margins.plane * (size_of(from) * size_of(to) + PLT_PLANE_LEAST);
+    p->margin[c] = b->margins.plane * (size_of(from) * size_of(to) + PLT_PLANE_LEAST);
     p->first[c] = dot(normal, b->first) + middle * (right + down);
     p->right[c] = across * right;
     p->down[c] = across * down;
-    p->beside[c] = spread_of(b->view, middle, right, down) + margin;
+    p->beside[c] = spread_of(b->view, middle, right, down) + p->margin[c];
 }
 
 static void set_planes(planes *p, const plt_beam *b, const plt_record *record) {
@@ -77,49 +77,98 @@ static void set_planes(planes *p, const plt_beam *b, const plt_record *record) {
     p->near = NEAR_ERROR * largest;
 }
 
-/* All samples of a pixel are inside: the least and the greatest t that the exact test may give
- * them. 0: not known well enough. */
-static int bounds_of(const planes *p, const float at[3], float t[2]) {
-    const float sum = at[0] + at[1] + at[2];
-    const float beside = p->beside[0] + p->beside[1] + p->beside[2];
-    const float volume = sum < 0.0f ? -p->volume : p->volume, size = __builtin_fabsf(sum);
-    if (!(volume > p->volume_error && size > beside)) {
-        return 0;
-    }
-    const float least = (volume - p->volume_error) / (size + beside);
-    const float most = (volume + p->volume_error) / (size - beside);
-    const float error = p->error + p->near / least + 8.0f * PLT_U;
-    if (!(error <= ERROR_MOST)) {
-        return 0;
-    }
-    t[0] = least - error * least;
-    t[1] = most + error * most;
-    return t[0] >= t[1] * (1.0f - 0.96f * PLT_PIXEL_SLACK) && t[1] < PLT_VIEW_FAR;
-}
+/* The least and the greatest t that the exact test may give to a hit, or less and greater. */
+typedef struct bounds {
+    float least, most;
+    int is_known; /* well enough */
+} bounds;
 
-/* Samples of the pixel whose first is at (x, y). `t`: bounds, or NULL: each is tested exactly. */
-static void test_pixel(plt_beam *b, const plt_record *record, const float *t, uint32_t x,
-                       uint32_t y) {
-    const uint32_t index = (uint32_t)(record - b->records) | PLT_PIXEL_BOUND;
-    for (uint32_t row = y; row < y + b->view->across; row++) {
-        plt_pixel *pixel = &b->pixel[row * b->square.side + x];
-        for (uint32_t column = x; column < x + b->view->across; column++, pixel++) {
-            if (t == NULL || (t[1] >= pixel->t * (1.0f - PLT_PIXEL_SLACK) && t[0] <= pixel->t)) {
-                plt_beam_test_pixel(b, record, column, row);
-            } else if (t[0] <= pixel->t) {
-                plt_beam_take(b, pixel, t[1], index);
-            }
-        }
+/* Where planes are `at`, give or take `beside`. */
+static bounds bounds_of(const planes *p, const float at[3], const float beside[3]) {
+    const float sum = at[0] + at[1] + at[2], size = __builtin_fabsf(sum);
+    const float wide = beside[0] + beside[1] + beside[2];
+    const float volume = sum < 0.0f ? -p->volume : p->volume;
+    bounds t = {0.0f, 0.0f, 0};
+    if (!(volume > p->volume_error && size > wide)) {
+        return t;
     }
+    t.least = (volume - p->volume_error) / (size + wide);
+    t.most = (volume + p->volume_error) / (size - wide);
+    const float error = p->error + p->near / t.least + 8.0f * PLT_U;
+    if (error <= ERROR_MOST) {
+        t.least -= error * t.least;
+        t.most += error * t.most;
+        t.is_known = t.least >= t.most * (1.0f - 0.96f * PLT_PIXEL_SLACK) && t.most < PLT_VIEW_FAR;
+    }
+    return t;
 }
 
 /* Bits: some sample may be above a plane, some below one, none is surely inside. */
-static unsigned sides_of(const planes *p, const float at[3]) {
+static inline unsigned sides_of(const float at[3], const float beside[3]) {
     unsigned sides = 0; /* 1: surely above, 2: surely below, 4: neither */
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        sides |= at[c] > p->beside[c] ? 1u : at[c] < -p->beside[c] ? 2u : 4u;
+        sides |= at[c] > beside[c] ? 1u : at[c] < -beside[c] ? 2u : 4u;
     }
     return sides;
+}
+
+/* A pixel. */
+typedef struct samples {
+    float at[3]; /* planes in its middle */
+    int is_inside;
+    bounds t; /* of all samples */
+} samples;
+
+/* In sample (column, row) of the square. */
+static inline void planes_in(const plt_view *v, const planes *p, const samples *of, uint32_t column,
+                             uint32_t row, float at[3]) {
+    const uint32_t last = v->across - 1;
+    const float size = 1.0f / (float)(int32_t)v->across, half = 0.5f * (float)(int32_t)last;
+    const float x = ((float)(int32_t)(column & last) - half + v->aside[row & last]) * size;
+    const float y = ((float)(int32_t)(row & last) - half - v->aside[column & last]) * size;
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        at[c] = of->at[c] + (x * p->right[c] + y * p->down[c]);
+    }
+}
+
+/* One that is not surely outside. */
+static void test_sample(plt_beam *b, const plt_record *record, const bounds *t, int is_inside,
+                        uint32_t column, uint32_t row) {
+    plt_pixel *pixel = &b->pixel[row * b->square.side + column];
+    if (t->is_known && t->least > pixel->t) {
+        return;
+    }
+    if (t->is_known && is_inside && t->most < pixel->t * (1.0f - PLT_PIXEL_SLACK)) {
+        plt_beam_take(b, pixel, t->most, (uint32_t)(record - b->records) | PLT_PIXEL_BOUND);
+    } else {
+        plt_beam_test_pixel(b, record, column, row);
+    }
+}
+
+/* One of a pixel that does not have one bound for all and is not inside as a whole. */
+static void test_alone(plt_beam *b, const plt_record *record, const planes *p, const samples *of,
+                       uint32_t column, uint32_t row) {
+    float at[3];
+    planes_in(b->view, p, of, column, row, at);
+    const unsigned sides = sides_of(at, p->margin);
+    if ((sides & 3u) != 3) {
+        const bounds t = of->t.is_known ? of->t : bounds_of(p, at, p->margin);
+        test_sample(b, record, &t, (sides & 4u) == 0, column, row);
+    }
+}
+
+/* Those of the pixel whose first is at (x, y). */
+static void test_pixel(plt_beam *b, const plt_record *record, const planes *p, const samples *of,
+                       uint32_t x, uint32_t y) {
+    for (uint32_t row = y; row < y + b->view->across; row++) {
+        for (uint32_t column = x; column < x + b->view->across; column++) {
+            if (of->is_inside && of->t.is_known) {
+                test_sample(b, record, &of->t, 1, column, row);
+            } else {
+                test_alone(b, record, p, of, column, row);
+            }
+        }
+    }
 }
 
 /* In pixel (x, y): products, as what is added from pixel to pixel would round once for each. */
@@ -130,18 +179,19 @@ static void planes_at(const planes *p, uint32_t x, uint32_t y, float at[3]) {
     }
 }
 
-void plt_beam_test_samples(plt_beam *b, const plt_record *record) {
+void plt_beam_test_samples(plt_beam *b, const plt_record *record, const plt_beam_part *part) {
     const uint32_t across = b->view->across;
     planes p;
     set_planes(&p, b, record);
-    for (uint32_t y = 0; across * y < b->rows; y++) {
-        for (uint32_t x = 0; across * x < b->columns; x++) {
-            float at[3], t[2];
-            planes_at(&p, x, y, at);
-            const unsigned sides = sides_of(&p, at);
+    for (uint32_t y = part->top / across; across * y <= part->bottom; y++) {
+        for (uint32_t x = part->left / across; across * x <= part->right; x++) {
+            samples of;
+            planes_at(&p, x, y, of.at);
+            const unsigned sides = sides_of(of.at, p.beside);
             if ((sides & 3u) != 3) {
-                const int known = (sides & 4u) == 0 && bounds_of(&p, at, t);
-                test_pixel(b, record, known ? t : NULL, across * x, across * y);
+                of.is_inside = (sides & 4u) == 0;
+                of.t = bounds_of(&p, of.at, p.beside);
+                test_pixel(b, record, &p, &of, across * x, across * y);
             }
         }
     }

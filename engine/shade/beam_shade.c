@@ -3,6 +3,40 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/shade/beam_surface.h"
 
+#include "engine/trace/triangle_common.h"
+
+static inline int is_small(const float normal[3]) {
+    return __builtin_fabsf(normal[0]) < PLT_NORMAL_LEAST &&
+           __builtin_fabsf(normal[1]) < PLT_NORMAL_LEAST &&
+           __builtin_fabsf(normal[2]) < PLT_NORMAL_LEAST;
+}
+
+/* Of a triangle whose normal vanishes, or nearly so. */
+static void set_small(plt_surface *s, const plt_record *record) {
+    float corner[3][3], normal[3];
+    plt_record_corners(record, corner);
+    plt_hit_normal((const float(*)[3])corner, normal);
+    plt_surface_set(s, normal);
+}
+
+void plt_shaded_set(shaded *s, const plt_record *records, uint32_t record) {
+    const plt_record *of = &records[record];
+    float corner[3][3], normal[3];
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
+            corner[c][a] = plt_record_float(of, c, a);
+        }
+    }
+    plt_triangle_normal((const float(*)[3])corner, normal);
+    if (is_small(normal)) {
+        set_small(&s->surface, of);
+    } else {
+        plt_surface_set(&s->surface, normal);
+    }
+    s->record = record;
+    s->id = plt_primitive_id(plt_get_u32(&of->word[9]));
+}
+
 static void shade_row(const plt_beam *b, uint8_t shader, uint32_t y, const uint8_t sky[3],
                       uint8_t *rgb, shaded *s) {
     const plt_pixel *row = &b->pixel[y * b->square.side];
@@ -20,7 +54,7 @@ static void shade_row(const plt_beam *b, uint8_t shader, uint32_t y, const uint8
         }
         const uint32_t record = plt_pixel_record(&row[x]);
         if (record != s->record) {
-            set_shaded(s, b->records, record);
+            plt_shaded_set(s, b->records, record);
         }
         float dir[3]; /* as plt_view_direction has it */
         const float px = (float)(int32_t)(b->square.x + x);

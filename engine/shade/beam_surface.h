@@ -13,13 +13,7 @@ typedef struct shaded {
     plt_surface surface;
 } shaded;
 
-static inline void set_shaded(shaded *s, const plt_record *records, uint32_t record) {
-    float corner[3][3], normal[3];
-    plt_record_corners(&records[record], corner);
-    plt_hit_normal((const float(*)[3])corner, normal);
-    plt_surface_set(&s->surface, normal);
-    s->record = record;
-    s->id = plt_primitive_id(plt_get_u32(&records[record].word[9]));
-}
+/* Apart: one for all, as what makes it fast is long. */
+void plt_shaded_set(shaded *s, const plt_record *records, uint32_t record);
 
 #endif

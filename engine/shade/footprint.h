@@ -46,9 +46,11 @@ PLT_INLINED rectangle rectangle_of(const plt_beam *b, const projected *p) {
 
 PLT_INLINED void test_rectangle(plt_beam *b, candidate *c, projected *p, const rectangle *r) {
     footprint f;
+    steps s;
     set_at_pixel(&f, p, b, r->left, r->top);
     set_edges(&f, p, &b->margins);
-    test_all(b, c, p, r, &f);
+    set_steps(&s, b, p);
+    test_all(b, c, p, r, &s, &f);
 }
 
 /* The pixels of a triangle that is projected. `apart`: one that may cover a single pixel goes a way

@@ -234,10 +234,7 @@ PLT_INLINED void set_edges(footprint *f, projected *p, const plt_margins *m) {
     }
 }
 
-/* Pixels of the square, both ends included. */
-typedef struct rectangle {
-    uint32_t left, right, top, bottom;
-} rectangle;
+typedef plt_beam_part rectangle;
 
 /* What is added to an edge function from pixel to pixel of a row, and from row to row. Of samples
  * the second is to the next pixel of the frame; of single ones both are the same. */
@@ -281,20 +278,18 @@ PLT_INLINED const float *step_after(const float of[PLT_STEPS][3], uint32_t line,
 }
 
 PLT_INLINED void test_all(plt_beam *b, candidate *c, const projected *p, const rectangle *r,
-                          footprint *f) {
+                          const steps *s, footprint *f) {
     const uint32_t last = plt_view_across(b->view) - 1;
-    steps s;
-    set_steps(&s, b, p);
     for (uint32_t y = r->top; y <= r->bottom; y++) {
         float e[3] = {f->at[0], f->at[1], f->at[2]};
         for (uint32_t x = r->left; x <= r->right; x++) {
             test_inside(b, c, p, f, e, x, y);
-            const float *right = step_after((const float(*)[3])s.right, x, last);
+            const float *right = step_after((const float(*)[3])s->right, x, last);
             PLT_UNROLLED for (int k = 0; k < 3; k++) {
                 e[k] += right[k];
             }
         }
-        const float *down = step_after((const float(*)[3])s.down, y, last);
+        const float *down = step_after((const float(*)[3])s->down, y, last);
         PLT_UNROLLED for (int k = 0; k < 3; k++) {
             f->at[k] += down[k];
         }

@@ -20,6 +20,7 @@
 typedef struct slopes {
     float right[3], down[3], spread[3];
     float over_spread; /* of the sum of their products with 1 / depth */
+    steps samples;     /* from one to the next */
 } slopes;
 
 /* Samples are a rotated square, so one of its corners is furthest. */
@@ -67,7 +68,7 @@ PLT_RARELY void test_edge(plt_beam *b, candidate *c, const projected *p, const f
     PLT_UNROLLED for (int k = 0; k < 3; k++) {
         f.at[k] = middle[k] + (right * s->right[k] + down * s->down[k]);
     }
-    test_all(b, c, p, &few, &f);
+    test_all(b, c, p, &few, &s->samples, &f);
 }
 
 /* All samples of the pixel at (x, y) are inside: 1 if their t is known well enough, and all that
@@ -109,12 +110,18 @@ static inline void test_pixel(plt_beam *b, candidate *c, const projected *p, foo
     if (!(e[0] >= -in[0] && e[1] >= -in[1] && e[2] >= -in[2])) {
         return;
     }
-    if (f->slack < 0.0f) {
-        f->slack = slack_of(&b->margins, range_of(p->over), p->size, f->error, f->area);
-    }
     if (!(e[0] >= in[0] && e[1] >= in[1] && e[2] >= in[2] && take_pixel(b, c, p, f, s, e, x, y))) {
         test_edge(b, c, p, f, s, e, r, x, y);
     }
+}
+
+/* Whether the slack is small enough wherever the triangle is; else its planes know t better. */
+static inline int is_t_known(const plt_beam *b, const projected *p, footprint *f) {
+    const range over = range_of(p->over);
+    if (f->slack < 0.0f) {
+        f->slack = slack_of(&b->margins, over, p->size, f->error, f->area);
+    }
+    return f->slack <= PLT_SLACK_MOST * over.least * f->area;
 }
 
 /* The pixels that a large triangle may cover, whole ones at once. */
@@ -127,7 +134,12 @@ PLT_RARELY void test_pixels(plt_beam *b, candidate *c, projected *p, const recta
     set_at_point(&f, p, plt_line_at(left) + beside, plt_line_at(r->top & whole) + beside,
                  plt_margins_reach(&b->margins));
     set_edges(&f, p, &b->margins);
+    if (!is_t_known(b, p, &f)) {
+        plt_beam_test_samples(b, record_of(b, c), r);
+        return;
+    }
     set_slopes(&s, b->view, p);
+    set_steps(&s.samples, b, p);
     for (uint32_t y = r->top & whole; y <= r->bottom; y += across) {
         float e[3] = {f.at[0], f.at[1], f.at[2]};
         for (uint32_t x = left; x <= r->right; x += across) {

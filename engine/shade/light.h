@@ -11,24 +11,30 @@
 
 #include "engine/base/linear.h"
 
-/* Up to 16 colours. 18 bytes, rounded up. */
+/* Up to 16 colours. */
 typedef struct plt_mix {
-    uint32_t light[3];
-    uint8_t least[3], most[3]; /* bytes of red, green and blue */
+    uint32_t light[3], total[3]; /* of bytes of red, green and blue: their light, and they */
+    uint8_t least[3], most[3];   /* of them, where asked */
+    uint8_t compares;
 } plt_mix;
 
-static inline void plt_mix_begin(plt_mix *m) {
+/* `compares`: plt_mix_differs will be asked. */
+static inline void plt_mix_begin(plt_mix *m, int compares) {
     for (int c = 0; c < 3; c++) {
-        m->light[c] = 0;
+        m->light[c] = m->total[c] = 0;
         m->least[c] = 255;
         m->most[c] = 0;
     }
+    m->compares = (uint8_t)compares;
 }
 
 /* A colour that so many samples have. */
 static inline void plt_mix_add(plt_mix *m, const uint8_t rgb[3], uint32_t samples) {
     for (int c = 0; c < 3; c++) {
         m->light[c] += samples * plt_linear[rgb[c]];
+        m->total[c] += samples * rgb[c];
+    }
+    for (int c = 0; m->compares && c < 3; c++) {
         m->least[c] = rgb[c] < m->least[c] ? rgb[c] : m->least[c];
         m->most[c] = rgb[c] > m->most[c] ? rgb[c] : m->most[c];
     }

@@ -49,8 +49,13 @@ static inline int plt_mix_pixels_next(plt_mix_pixels *p, const plt_sampling *s) 
     return 0;
 }
 
+/* Of the samples of a pixel. */
+static inline void plt_mix_start(const plt_sampling *s, plt_mix *m) {
+    plt_mix_begin(m, s->across == 2 && s->adapts);
+}
+
 static inline void plt_mix_put(plt_sampling *s, const plt_mix *m, uint32_t bit, uint8_t rgb[3]) {
-    if (s->across == 2 && s->adapts && plt_mix_differs(m)) {
+    if (m->compares && plt_mix_differs(m)) {
         s->mixed |= (uint64_t)1 << bit;
     }
     plt_mix_get(m, (uint32_t)s->across * s->across, rgb);

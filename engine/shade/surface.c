@@ -56,15 +56,6 @@ static void flat_colour(uint32_t id, float facing, uint8_t rgb[3]) {
     }
 }
 
-/* Rounding may leave a facing some ulp above 1: only where clay is 1 that would show. */
-static void clay_colour(float facing, uint8_t rgb[3]) {
-    static const float clay[3] = {PLT_CLAY_RED, PLT_CLAY_GREEN, PLT_CLAY_BLUE};
-    const float limited = facing > 1.0f ? 1.0f : facing; /* never below 0 */
-    PLT_UNROLLED for (int c = 0; c < 3; c++) {
-        rgb[c] = (uint8_t)(int32_t)(limited * clay[c] * 255.0f + 0.5f);
-    }
-}
-
 static void normal_colour(const float normal[3], float squared, float along, uint8_t rgb[3]) {
     const float length = __builtin_sqrtf(squared);
     for (int c = 0; c < 3; c++) {
@@ -78,29 +69,39 @@ void plt_surface_set(plt_surface *s, const float normal[3]) {
     s->squared = dot(s->normal, s->normal);
 }
 
-void plt_surface_colour(const plt_surface *s, uint8_t shader, uint32_t id, const float dir[3],
-                        uint8_t rgb[3]) {
-    float d[3];
-    even_out(dir, d);
+void plt_sight_set(plt_sight *s, const float dir[3]) {
+    even_out(dir, s->dir);
+    s->squared = dot(s->dir, s->dir);
+}
+
+void plt_surface_any(const plt_surface *s, uint8_t shader, uint32_t id, const plt_sight *along,
+                     uint8_t rgb[3]) {
     plt_surface facing_eye;
     if (s->squared == 0.0f) { /* a sliver: as if it faced the eye */
         for (int a = 0; a < 3; a++) {
-            facing_eye.normal[a] = -d[a];
+            facing_eye.normal[a] = -along->dir[a];
         }
-        facing_eye.squared = dot(facing_eye.normal, facing_eye.normal);
+        facing_eye.squared = along->squared;
         s = &facing_eye;
     }
-    const float along = dot(s->normal, d);
-    const float facing = __builtin_sqrtf(along * along / (s->squared * dot(d, d)));
+    const float facing = plt_surface_facing(s, along);
     switch (shader) {
     case PLT_SHADE_TRIANGLE:
         flat_colour(id, facing, rgb);
         break;
     case PLT_SHADE_NORMAL:
-        normal_colour(s->normal, s->squared, along, rgb);
+        normal_colour(s->normal, s->squared, dot(s->normal, along->dir), rgb);
         break;
     default:
-        clay_colour(facing, rgb);
+        plt_clay_colour(facing, rgb);
         break;
     }
+}
+
+void plt_surface_colour(const plt_surface *s, uint8_t shader, uint32_t id, const float dir[3],
+                        uint8_t rgb[3]) {
+    plt_sight along;
+    even_out(dir, along.dir);
+    along.squared = dot(along.dir, along.dir);
+    plt_surface_seen(s, shader, id, &along, rgb);
 }

@@ -20,7 +20,45 @@ typedef struct plt_surface {
 /* `normal`: of any length. */
 void plt_surface_set(plt_surface *s, const float normal[3]);
 
-/* Colour of a hit of the triangle `id`, seen along `dir`. `shader`: enum plt_shader. */
+/* What the colours of all hits that are seen along one direction have in common. */
+typedef struct plt_sight {
+    float dir[3];  /* its largest component is 1 or -1 */
+    float squared; /* dir . dir */
+} plt_sight;
+
+/* `dir`: of any length. */
+void plt_sight_set(plt_sight *s, const float dir[3]);
+
+/* |n . d| of both as unit vectors; of what is no sliver. */
+static inline float plt_surface_facing(const plt_surface *s, const plt_sight *along) {
+    const float *n = s->normal, *d = along->dir;
+    const float dot = n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
+    return __builtin_sqrtf(dot * dot / (s->squared * along->squared));
+}
+
+/* Rounding may leave a facing some ulp above 1: only where clay is 1 that would show. */
+static inline void plt_clay_colour(float facing, uint8_t rgb[3]) {
+    const float limited = facing > 1.0f ? 1.0f : facing; /* never below 0 */
+    rgb[0] = (uint8_t)(int32_t)(limited * PLT_CLAY_RED * 255.0f + 0.5f);
+    rgb[1] = (uint8_t)(int32_t)(limited * PLT_CLAY_GREEN * 255.0f + 0.5f);
+    rgb[2] = (uint8_t)(int32_t)(limited * PLT_CLAY_BLUE * 255.0f + 0.5f);
+}
+
+/* Colour of a hit of the triangle `id`. `shader`: enum plt_shader. */
+void plt_surface_any(const plt_surface *s, uint8_t shader, uint32_t id, const plt_sight *along,
+                     uint8_t rgb[3]);
+
+/* The same; what is usual at once. */
+static inline void plt_surface_seen(const plt_surface *s, uint8_t shader, uint32_t id,
+                                    const plt_sight *along, uint8_t rgb[3]) {
+    if (s->squared == 0.0f || shader == PLT_SHADE_TRIANGLE || shader == PLT_SHADE_NORMAL) {
+        plt_surface_any(s, shader, id, along, rgb);
+    } else {
+        plt_clay_colour(plt_surface_facing(s, along), rgb);
+    }
+}
+
+/* The same, seen along `dir`. */
 void plt_surface_colour(const plt_surface *s, uint8_t shader, uint32_t id, const float dir[3],
                         uint8_t rgb[3]);
 

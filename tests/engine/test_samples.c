@@ -51,7 +51,7 @@ static void check_light(void) {
 static void check_mean(const uint8_t (*of)[3], uint32_t samples) {
     uint8_t due[3], got[3];
     plt_mix m;
-    plt_mix_begin(&m);
+    plt_mix_begin(&m, 0);
     for (uint32_t i = 0; i < samples; i++) {
         plt_mix_add(&m, of[i], 1);
     }

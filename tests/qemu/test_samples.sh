@@ -51,5 +51,5 @@ same "render thesis whitted samples" 56832 lit "shader=whitted $lights" "--shade
 same "render thesis surface whitted samples" 61696 lit_smooth "shader=whitted $lights" \
     "--shader whitted $flags"
 same "render thesis surface whitted samples" 61696 samples "shader=smooth" "--shader smooth"
-same "render thesis frames surface samples" 41472 samples "shader=smooth" "--shader smooth"
+same "render thesis frames surface samples" 42496 samples "shader=smooth" "--shader smooth"
 finish
