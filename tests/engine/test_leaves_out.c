@@ -1,7 +1,8 @@
 /* test_leaves_out - lanes that flush subnormals leave out no group that others would keep
  *
- * Boxes and triangles around 2^-126, of which flushed sums and operands leave groups out: engine
- * code with lanes that keep subnormals, that flush them, and that flush them and do not say so.
+ * Boxes and triangles around 2^-126, of which flushed sums and operands leave groups out, and rays
+ * that are set up otherwise: engine code with lanes that keep subnormals, that flush them, and that
+ * flush them and do not say so.
  *
  * SPDX-License-Identifier: MIT */
 #undef PLT_LANES
@@ -13,7 +14,10 @@
 #define plt_box_pair flushing_box_pair
 #define plt_box_entry flushing_box_entry
 #define plt_triangle_may_meet flushing_triangle_may_meet
+#define plt_packet_set_quickly flushing_set_quickly
+#define plt_packet_compare_quickly flushing_compare_quickly
 #include "engine/trace/boxes.c"
+#include "engine/trace/packet_quick.c"
 #include "engine/trace/triangle_cull.c"
 
 #include "tests/reference/random.h"
@@ -121,7 +125,106 @@ static void test_kind(enum plt_coherence kind, const char *sentence) {
     CHECK(left_out > CASES / 10, "only %u boxes leave any out", left_out);
 }
 
+/* ---- rays that are set up --------------------------------------------------------- */
+
+typedef struct set_up {
+    plt_group_slabs slabs;
+    plt_group_rays rays;
+    int has_rays, is_sure;
+} set_up;
+
+static float tiny_or_not(void) {
+    return random_below(&r, 4) == 0 ? random_float(&r, -1, 1) : tiny();
+}
+
+static void make_rays(set_up *of) {
+    memset(of, 0, sizeof *of);
+    for (int lane = 0; lane < 4; lane++) {
+        for (int a = 0; a < 3; a++) {
+            of->rays.org[a][lane] = tiny_or_not();
+            of->rays.dir[a][lane] = tiny_or_not();
+        }
+        of->slabs.tmin[lane] = random_below(&r, 4) == 0 ? tiny() : 0;
+        of->slabs.tmax[lane] = random_below(&r, 4) == 0 ? tiny() : 3e38f;
+    }
+}
+
+static set_up set(enum flushing how, const set_up *given, const plt_box *scene) {
+    set_up got = *given;
+    plt_packet p = {.slabs = {.group = &got.slabs}, .rays = &got.rays, .scene = scene};
+    flushing.how = how;
+    flushing.status = 0;
+    got.is_sure = plt_packet_set_quickly(&p, 0, 4, &got.has_rays);
+    return got;
+}
+
+static plt_common compare(enum flushing how, set_up *of) {
+    const plt_packet p = {.slabs = {.group = &of->slabs}, .rays = &of->rays, .active = 1};
+    plt_common c;
+    flushing.how = how;
+    flushing.status = 0;
+    plt_packet_compare_quickly(&p, &c);
+    return c;
+}
+
+/* Of what the groups of `due` differ in something that those of `got` do not. */
+static int has_less(const plt_common *got, const plt_common *due) {
+    unsigned less = (due->is_apart & ~got->is_apart) | (due->axes & ~got->axes);
+    for (int a = 0; a < 3; a++) {
+        less |= due->other_sign[a] & ~got->other_sign[a];
+    }
+    return less != 0;
+}
+
+static void test_set_up(const char *sentence) {
+    unsigned sure = 0, otherwise = 0;
+    test(sentence);
+    for (int i = 0; i < CASES; i++) {
+        unit = i % 4 == 0 ? 1 : TINY;
+        set_up given;
+        make_rays(&given);
+        const plt_box scene = box_of();
+        const set_up due = set(KEEPS, &given, &scene);
+        const set_up silent = set(FLUSHES_SILENTLY, &given, &scene);
+        const set_up got = set(FLUSHES, &given, &scene);
+        CHECK(due.is_sure && silent.is_sure, "case %d: asked for nothing", i);
+        CHECK(!got.is_sure || memcmp(&got, &due, sizeof due) == 0, "case %d: another group", i);
+        CHECK(flushing.status == 0, "case %d: a flush is left for the next question", i);
+        sure += (unsigned)got.is_sure;
+        otherwise += memcmp(&silent, &due, sizeof due) != 0;
+    }
+    CHECK(sure > CASES / 10, "only %u groups are sure", sure);
+    CHECK(otherwise > CASES / 400, "only %u groups would be others if nobody asked", otherwise);
+}
+
+static void test_compare(const char *sentence) {
+    unsigned alike = 0, otherwise = 0;
+    test(sentence);
+    for (int i = 0; i < CASES; i++) {
+        unit = i % 4 == 0 ? 1 : TINY;
+        set_up of;
+        make_rays(&of);
+        of.rays.valid = 15;
+        for (int lane = 0; lane < 4 && i % 2 == 0; lane++) { /* one origin, 0, and one sign */
+            for (int a = 0; a < 3; a++) {
+                of.rays.org[a][lane] = 0;
+                of.rays.dir[a][lane] = __builtin_fabsf(of.rays.dir[a][lane]);
+            }
+        }
+        const plt_common due = compare(KEEPS, &of), silent = compare(FLUSHES_SILENTLY, &of);
+        const plt_common got = compare(FLUSHES, &of);
+        CHECK(!has_less(&got, &due), "case %d: has in common what it has not", i);
+        CHECK(flushing.status == 0, "case %d: a flush is left for the next question", i);
+        alike += memcmp(&got, &due, sizeof due) == 0;
+        otherwise += (unsigned)has_less(&silent, &due);
+    }
+    CHECK(alike > CASES / 10, "only %u groups have in common what they have", alike);
+    CHECK(otherwise > CASES / 400, "only %u groups would be others if nobody asked", otherwise);
+}
+
 int main(void) {
+    test_set_up("lanes that flush set rays up as others do, or say that they did not");
+    test_compare("... and find nothing in common that is not");
     test_kind(PLT_ONE_ORIGIN, "lanes that flush leave out no group: rays of one origin");
     test_kind(PLT_ONE_SIGN, "... of equal signs");
     test_kind(PLT_MIXED, "... of any");
