@@ -14,6 +14,10 @@
 #define plt_box_pair flushing_box_pair
 #define plt_box_entry flushing_box_entry
 #define plt_triangle_may_meet flushing_triangle_may_meet
+#define plt_packet_init flushing_init
+#define plt_packet_begin flushing_begin
+#define plt_packet_set_group flushing_set_group
+#define plt_packet_finish flushing_finish
 #define plt_packet_set_quickly flushing_set_quickly
 #define plt_packet_compare_quickly flushing_compare_quickly
 #include "engine/trace/boxes.c"
@@ -30,10 +34,6 @@ static int set_group_kept(plt_packet *p, unsigned index, const f4 org[3], const 
     return has_rays;
 }
 #define set_group set_group_kept
-#define plt_packet_init flushing_init
-#define plt_packet_begin flushing_begin
-#define plt_packet_set_group flushing_set_group
-#define plt_packet_finish flushing_finish
 #include "engine/trace/packet.c"
 
 #include "tests/reference/random.h"
