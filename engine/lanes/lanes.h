@@ -74,13 +74,13 @@
 #endif
 #endif
 
-/* Lanes that flush serve where something is only left out, in files that say so before they
- * include anything; everywhere else the scalar ones do (DESIGN.md, section 8.2). */
+/* Lanes that flush serve files that ask whether they did, and say so before they include
+ * anything; everywhere else the scalar ones do (DESIGN.md, section 8.2). */
 #ifndef PLT_LANES_FLUSHES
 #define PLT_LANES_FLUSHES 0
 #endif
 
-#if defined(PLT_LANES) && (!PLT_LANES_FLUSHES || defined(PLT_LEAVES_OUT))
+#if defined(PLT_LANES) && (!PLT_LANES_FLUSHES || defined(PLT_ASKS_FLUSHED))
 #include PLT_LANES
 #else
 #include "engine/lanes/lanes_scalar.h"

@@ -141,8 +141,11 @@ PLT_INLINED void set_groups(const plt_view *v, plt_packet *p, const grid *of, ui
 }
 
 static plt_common common_of(const plt_view_ranges *r, uint8_t axis) {
-    plt_common c = {0, 1u << axis, {0, 0, 0}, {r->sum[0], r->sum[1], r->sum[2]}};
+    plt_common c = {0, 1u << axis, {0, 0, 0}, {0.0f, 0.0f, 0.0f}};
     for (int a = 0; a < 3; a++) {
+        float sum[4];
+        f4_store(sum, r->sum[a]);
+        c.forward[a] = sum[0];
         c.other_sign[a] = r->least[a] < 0.0f && r->most[a] >= 0.0f;
     }
     return c;

@@ -1,7 +1,7 @@
 /* boxes - see boxes.h
  *
  * SPDX-License-Identifier: MIT */
-#define PLT_LEAVES_OUT 1
+#define PLT_ASKS_FLUSHED 1
 #include "engine/trace/boxes.h"
 
 #include "engine/trace/planes.h"

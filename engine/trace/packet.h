@@ -122,14 +122,12 @@ static inline void plt_packet_want_weights(plt_packet *packet) {
 void plt_packet_set_group(plt_packet *packet, unsigned index, const f4 org[3], const f4 dir[3],
                           f4 tmin, f4 tmax, unsigned count);
 
-/* A group's reach and slabs, which few groups of a packet with hulls need, are set when they
- * are asked for; without hulls, with the group. */
 /* What groups have in common with the ray that was copied, and the sum of their directions. */
 typedef struct plt_common {
     unsigned is_apart;      /* 0: all have its origin */
     unsigned axes;          /* a bit per axis that is the largest of some ray */
     unsigned other_sign[3]; /* lanes that run the other way along an axis */
-    f4 forward[3];
+    float forward[3];       /* of first lanes */
 } plt_common;
 
 #if PLT_WITH_HULLS
@@ -139,6 +137,8 @@ void plt_packet_share(plt_packet *packet, const plt_common *common);
 /* Bounds for all rays: none has a larger reach, or an origin further from 0 on any axis. */
 void plt_packet_set_reach(plt_packet *packet, float reach, float furthest);
 
+/* A group's reach and slabs, which few groups of a packet with hulls need, are set when they
+ * are asked for; without hulls, with the group. */
 void plt_group_set_slabs(plt_packet *packet, unsigned index);
 
 static inline void plt_group_make_ready(plt_packet *packet, unsigned index) {

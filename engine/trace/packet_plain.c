@@ -116,14 +116,15 @@ PLT_INLINED void set_groups(plt_packet *p, const plt_ray *rays, uint32_t count, 
 }
 
 static plt_common common_of(const extents *e, uint8_t axis) {
-    const f4 sum = e->dir.sum;
     const m4 one_origin = f4_eq(e->org.least, e->org.most);
     const m4 both = m4_and(f4_lt(e->dir.least, f4_zero()), f4_le(f4_zero(), e->dir.most));
     const unsigned signs = m4_mask(both);
+    float sum[4];
+    f4_store(sum, e->dir.sum);
     const plt_common c = {(m4_mask(one_origin) & X_Y_Z) != X_Y_Z,
                           1u << axis,
                           {signs & 1u, signs & 2u, signs & 4u},
-                          {f4_lane(sum, 0), f4_lane(sum, 1), f4_lane(sum, 2)}};
+                          {sum[0], sum[1], sum[2]}};
     return c;
 }
 

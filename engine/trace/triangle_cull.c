@@ -3,7 +3,7 @@
  * The arithmetic of triangle.c up to where it turns a group away.
  *
  * SPDX-License-Identifier: MIT */
-#define PLT_LEAVES_OUT 1
+#define PLT_ASKS_FLUSHED 1
 #include "engine/trace/triangle_cull.h"
 
 #include "engine/trace/triangle_plain.h"

@@ -1,7 +1,8 @@
 /* test_leaves_out - lanes that flush subnormals leave out no group that others would keep
  *
- * Boxes and triangles around 2^-126, of which flushed sums and operands leave groups out: engine
- * code with lanes that keep subnormals, that flush them, and that flush them and do not say so.
+ * Boxes and triangles around 2^-126, of which flushed sums and operands leave groups out, and rays
+ * that are set up otherwise: engine code with lanes that keep subnormals, that flush them, and that
+ * flush them and do not say so.
  *
  * SPDX-License-Identifier: MIT */
 #undef PLT_LANES
@@ -13,8 +14,27 @@
 #define plt_box_pair flushing_box_pair
 #define plt_box_entry flushing_box_entry
 #define plt_triangle_may_meet flushing_triangle_may_meet
+#define plt_packet_init flushing_init
+#define plt_packet_begin flushing_begin
+#define plt_packet_set_group flushing_set_group
+#define plt_packet_finish flushing_finish
+#define plt_packet_set_quickly flushing_set_quickly
+#define plt_packet_compare_quickly flushing_compare_quickly
 #include "engine/trace/boxes.c"
+#include "engine/trace/packet_quick.c"
 #include "engine/trace/triangle_cull.c"
+
+/* As packet.c has scalar lanes. */
+static int set_group_kept(plt_packet *p, unsigned index, const f4 org[3], const f4 dir[3], f4 tmin,
+                          f4 tmax, unsigned count) {
+    const enum flushing how = flushing.how;
+    flushing.how = KEEPS;
+    const int has_rays = set_group(p, index, org, dir, tmin, tmax, count);
+    flushing.how = how;
+    return has_rays;
+}
+#define set_group set_group_kept
+#include "engine/trace/packet.c"
 
 #include "tests/reference/random.h"
 #include "tests/test.h"
@@ -121,7 +141,126 @@ static void test_kind(enum plt_coherence kind, const char *sentence) {
     CHECK(left_out > CASES / 10, "only %u boxes leave any out", left_out);
 }
 
+/* ---- rays that are set up --------------------------------------------------------- */
+
+typedef struct set_up {
+    plt_group_slabs slabs;
+    plt_group_rays rays;
+    plt_mask active;
+} set_up;
+
+static float tiny_or_not(void) {
+    return random_below(&r, 4) == 0 ? random_float(&r, -1, 1) : tiny();
+}
+
+static void make_rays(set_up *of) {
+    memset(of, 0, sizeof *of);
+    for (int lane = 0; lane < 4; lane++) {
+        for (int a = 0; a < 3; a++) {
+            of->rays.org[a][lane] = tiny_or_not();
+            of->rays.dir[a][lane] = tiny_or_not();
+        }
+        of->slabs.tmin[lane] = random_below(&r, 4) == 0 ? tiny() : 0;
+        of->slabs.tmax[lane] = random_below(&r, 4) == 0 ? tiny() : 3e38f;
+    }
+}
+
+static set_up set(enum flushing how, const set_up *given, const plt_box *scene) {
+    const plt_group_rays *g = &given->rays;
+    const f4 org[3] = {f4_load(g->org[0]), f4_load(g->org[1]), f4_load(g->org[2])};
+    const f4 dir[3] = {f4_load(g->dir[0]), f4_load(g->dir[1]), f4_load(g->dir[2])};
+    set_up got = *given;
+    plt_packet p = {.slabs = {.group = &got.slabs}, .rays = &got.rays, .scene = scene};
+    flushing.how = how;
+    flushing.status = 0;
+    plt_packet_set_group(&p, 0, org, dir, f4_load(given->slabs.tmin), f4_load(given->slabs.tmax),
+                         4);
+    got.active = p.active;
+    return got;
+}
+
+/* A group without a ray holds nothing else. */
+static int are_same(const set_up *a, const set_up *b) {
+    return a->active == 0 ? b->active == 0 && a->rays.valid == 0 && b->rays.valid == 0
+                          : memcmp(a, b, sizeof *a) == 0;
+}
+
+/* Whether the lanes that flush do it. */
+static int is_quick(const set_up *given, const plt_box *scene) {
+    set_up of = *given;
+    plt_packet p = {.slabs = {.group = &of.slabs}, .rays = &of.rays, .scene = scene};
+    int has_rays;
+    flushing.how = FLUSHES;
+    flushing.status = 0;
+    return plt_packet_set_quickly(&p, 0, 4, &has_rays);
+}
+
+static plt_common compare(enum flushing how, set_up *of) {
+    const plt_packet p = {.slabs = {.group = &of->slabs}, .rays = &of->rays, .active = 1};
+    plt_common c;
+    flushing.how = how;
+    flushing.status = 0;
+    plt_packet_compare_quickly(&p, &c);
+    return c;
+}
+
+/* Of what the groups of `due` differ in something that those of `got` do not. */
+static int has_less(const plt_common *got, const plt_common *due) {
+    unsigned less = (due->is_apart & ~got->is_apart) | (due->axes & ~got->axes);
+    for (int a = 0; a < 3; a++) {
+        less |= due->other_sign[a] & ~got->other_sign[a];
+    }
+    return less != 0;
+}
+
+static void test_set_up(const char *sentence) {
+    unsigned quick = 0, otherwise = 0;
+    test(sentence);
+    for (int i = 0; i < CASES; i++) {
+        unit = i % 4 == 0 ? 1 : TINY;
+        set_up given;
+        make_rays(&given);
+        const plt_box scene = box_of();
+        const set_up due = set(KEEPS, &given, &scene);
+        const set_up silent = set(FLUSHES_SILENTLY, &given, &scene);
+        const set_up got = set(FLUSHES, &given, &scene);
+        CHECK(are_same(&due, &got), "case %d: another group", i);
+        CHECK(flushing.status == 0, "case %d: a flush is left for the next question", i);
+        quick += (unsigned)is_quick(&given, &scene);
+        otherwise += !are_same(&due, &silent);
+    }
+    CHECK(quick > CASES / 10, "only %u groups are set up by these lanes", quick);
+    CHECK(otherwise > CASES / 400, "only %u groups would be others if nobody asked", otherwise);
+}
+
+static void test_compare(const char *sentence) {
+    unsigned alike = 0, otherwise = 0;
+    test(sentence);
+    for (int i = 0; i < CASES; i++) {
+        unit = i % 4 == 0 ? 1 : TINY;
+        set_up of;
+        make_rays(&of);
+        of.rays.valid = 15;
+        for (int lane = 0; lane < 4 && i % 2 == 0; lane++) { /* one origin, 0, and one sign */
+            for (int a = 0; a < 3; a++) {
+                of.rays.org[a][lane] = 0;
+                of.rays.dir[a][lane] = __builtin_fabsf(of.rays.dir[a][lane]);
+            }
+        }
+        const plt_common due = compare(KEEPS, &of), silent = compare(FLUSHES_SILENTLY, &of);
+        const plt_common got = compare(FLUSHES, &of);
+        CHECK(!has_less(&got, &due), "case %d: has in common what it has not", i);
+        CHECK(flushing.status == 0, "case %d: a flush is left for the next question", i);
+        alike += memcmp(&got, &due, sizeof due) == 0;
+        otherwise += (unsigned)has_less(&silent, &due);
+    }
+    CHECK(alike > CASES / 10, "only %u groups have in common what they have", alike);
+    CHECK(otherwise > CASES / 400, "only %u groups would be others if nobody asked", otherwise);
+}
+
 int main(void) {
+    test_set_up("where lanes flush, rays are set up as where they do not");
+    test_compare("... and find nothing in common that is not");
     test_kind(PLT_ONE_ORIGIN, "lanes that flush leave out no group: rays of one origin");
     test_kind(PLT_ONE_SIGN, "... of equal signs");
     test_kind(PLT_MIXED, "... of any");

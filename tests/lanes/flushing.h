@@ -12,6 +12,7 @@
 #define f4_mul kept_mul
 #define f4_lt kept_lt
 #define f4_le kept_le
+#define f4_eq kept_eq
 #define f4_min kept_min
 #define f4_max kept_max
 #include "engine/lanes/lanes_scalar.h"
@@ -20,6 +21,7 @@
 #undef f4_mul
 #undef f4_lt
 #undef f4_le
+#undef f4_eq
 #undef f4_min
 #undef f4_max
 
@@ -69,6 +71,10 @@ static inline m4 f4_lt(f4 a, f4 b) {
 
 static inline m4 f4_le(f4 a, f4 b) {
     return kept_le(flush(a), flush(b));
+}
+
+static inline m4 f4_eq(f4 a, f4 b) {
+    return kept_eq(flush(a), flush(b));
 }
 
 static inline f4 f4_min(f4 a, f4 b) {

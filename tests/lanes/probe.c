@@ -13,7 +13,7 @@ extern const lanes_probe PROBE;
 
 #if PROBE_OFFERED
 #define PLT_LANES PROBE_HEADER
-#define PLT_LEAVES_OUT 1
+#define PLT_ASKS_FLUSHED 1
 #include "engine/lanes/lanes.h"
 
 /* Four words at an address aligned to 4 bytes only: the least alignment that load and store

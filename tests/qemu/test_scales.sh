@@ -72,7 +72,7 @@ $(value instructions_per_ray) instructions per ray" "$(
         2>&1)
     without=$(value instructions_per_ray)
     verdict "$board: groups take $with instructions per ray, $without with scalar lanes: at most \
-0.6 of them" "$(awk -v a="$with" -v b="$without" 'BEGIN { exit !(a > 0 && a <= 0.6 * b) }' ||
+0.45 of them" "$(awk -v a="$with" -v b="$without" 'BEGIN { exit !(a > 0 && a <= 0.45 * b) }' ||
         echo "more")"
 done
 verdict "boards with lanes were tried: $boards_with_lanes" "$(
