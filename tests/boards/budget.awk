@@ -1,9 +1,9 @@
 # budget.awk BUDGET.csv NOW.csv - what boards cost beside what they may cost
 #
 # Prints "board: column was, now" for each figure that differs, and lines that begin with "error: "
-# for one above its budget by more than `slack` percent (1), a board without a row, and a
-# frame's hash that is another. Rows of BUDGET.csv that NOW.csv lacks are left out. Columns of
-# NOW.csv have the names of BUDGET.csv, in any order. SPDX-License-Identifier: MIT
+# for one above its budget by more than `slack` percent (1), a board without a row that `new` does
+# not name, and a frame's hash that is another. Rows of BUDGET.csv that NOW.csv lacks are left out.
+# Columns of NOW.csv have the names of BUDGET.csv, in any order. SPDX-License-Identifier: MIT
 BEGIN { FS = ","; slack = slack == "" ? 1 : slack }
 FNR == 1 {
     for (i = 1; i <= NF; i++) {
@@ -20,7 +20,11 @@ NR == FNR {
 }
 {
     if (!($1 in known)) {
-        print "error: " $1 " has no row; add it"
+        if (index(" " new " ", " " $1 " ")) {
+            print $1 " has no budget yet: when it stays, its line of " FILENAME " belongs there"
+        } else {
+            print "error: " $1 " has no row; add its line of the new table"
+        }
         next
     }
     for (i = 2; i <= NF; i++) {

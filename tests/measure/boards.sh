@@ -2,7 +2,7 @@
 # boards.sh SCENES - what a ray takes on every board: bunny and toasters, 320x240, eye light
 #
 # Compact blocks, which every board that has room for anything has room for: mapped where the image
-# fits the board's memory for scenes, else streamed from a file of the debugger's host. BOARDS are
+# fits the board's memory for scenes, else streamed from a file of the debugger's host. ON names
 # some of them. A row of Markdown for each, whose frame is the host's bit for bit, or why there is
 # none. SPDX-License-Identifier: MIT
 . tests/check/report.sh
@@ -11,7 +11,6 @@ scenes=$1 size=${SIZE:-320x240}
 planelet=$BUILD/host/planelet
 folder=$BUILD/board-figures
 mkdir -p "$folder"
-wanted=${BOARDS:-$(boards)}
 
 value() { # NAME: of the last NAME=value in the text
     echo "$text" | tr ' ' '\n' | sed -n "s/^$1=//p" | tail -n 1
@@ -55,7 +54,7 @@ for scene in bunny toasters; do
 done
 echo "| Board | Scene | Arena used | Instructions per ray |"
 echo "|---|---|---|---|"
-for board in $wanted; do
+for board in $(boards); do
     build 'render compact frames' || continue
     most=$(room)
     for scene in bunny toasters; do
