@@ -73,8 +73,9 @@ PROBE_COMMAND = $(CC) $(STRICT) $(CPU) $(OPTIMISE_FOR) -g $(FREESTANDING) \
 ##build make BOARD=name [PROGRAM=wired] [PARTS='render thesis compact']: build/name/firmware.elf
 firmware all: $(OUT)/firmware.elf $(OUT)/libcount.so
 
-$(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
-                     platform/bare/sections.ld
+# The board first: what is wrong with a new one is in its own files.
+$(OUT)/firmware.elf: $(call objects,$(FIRMWARE)) $(FIRMWARE_OBJECTS) $(OUT)/stack.txt \
+                     $(LINK_SCRIPT) platform/bare/sections.ld
 	@echo "$(CC) $@"
 	@$(CC) $(CPU) -nostdlib -L. -T $(LINK_SCRIPT) -Wl,--gc-sections,-Map=$(OUT)/firmware.map \
 	    -Wl,--defsym=plt_arena_bytes=$(ARENA_BYTES),--defsym=plt_stack_bytes=$(STACK_BYTES) \
