@@ -27,7 +27,10 @@ program_lanes := tests/boards/lanes.c tests/lanes/compare.c
 program_jpeg := tests/boards/jpeg.c $(wildcard host_tools/picture/jpeg*.c)
 program_wired := $(wildcard board/wired/*.c board/$(BOARD)/wired/*.c platform/wire/*.c)
 ifeq ($(program_$(PROGRAM)),)
-$(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired or played)
+$(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired, played, faults or lanes)
+endif
+ifeq ($(PROGRAM)$(wildcard board/$(BOARD)/wired/*.c),wired)
+$(error board/$(BOARD) has no serial line; copy board/template/wired there, and write its serial.c)
 endif
 FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) \
                    $(foreach folder,board/$(BOARD) $(SHARED),$(wildcard $(folder)/*.c)))
