@@ -92,7 +92,7 @@ QEMU_TESTS := $(sort $(wildcard tests/qemu/test_*.sh))
 HID_TESTS := $(sort $(wildcard tests/hid/test_*.sh))
 WEB_TESTS := $(sort $(wildcard tests/web/test_*.sh))
 # What the scripts below need to know; they build what they look at.
-SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' MAKEFLAGS= MFLAGS= \
+SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' ON='$(TRIED)' MAKEFLAGS= MFLAGS= \
          sh tests/run.sh
 
 ##test test: every test program, every check, every firmware run; ends in "N passed, N failed"
@@ -133,9 +133,10 @@ boards:
 	    $(MAKE) --no-print-directory -s BOARD=$$board || exit 1; \
 	done
 
-##test test-boards: builds and runs every board in its emulator, its frames beside the host's
+##test test-boards: every board in its emulator, stack guard and frames: all or ON='board ...'
+test-boards: TRIED = $(ON)
 test-boards: all
-	@$(SCRIPT) tests/boards/test_boards.sh
+	@$(SCRIPT) tests/qemu/test_guards.sh tests/boards/test_boards.sh
 
 # ---- other builds of the same tests --------------------------------------
 
@@ -265,7 +266,7 @@ streamed: all $(OUT)/tests/measure/test_node_bytes
 ##measure board-figures: instructions per ray on every board: SCENES=folder [ON='board ...']
 board-figures: all
 	@BUILD='$(BUILD)' CC='$(CC)' MAKE='$(MAKE)' MAKEFLAGS= MFLAGS= SIZE='$(SIZE)' \
-	    BOARDS='$(ON)' sh tests/measure/boards.sh "$(SCENES)"
+	    ON='$(ON)' sh tests/measure/boards.sh "$(SCENES)"
 
 ##measure treelets: treelets by every order, fill and rule for slots: make treelets SCENES=folder
 treelets: all $(OUT)/tests/measure/test_treelet_orders $(OUT)/tests/measure/test_treelet_slots

@@ -27,7 +27,10 @@ program_lanes := tests/boards/lanes.c tests/lanes/compare.c
 program_jpeg := tests/boards/jpeg.c $(wildcard host_tools/picture/jpeg*.c)
 program_wired := $(wildcard board/wired/*.c board/$(BOARD)/wired/*.c platform/wire/*.c)
 ifeq ($(program_$(PROGRAM)),)
-$(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired or played)
+$(error there is no program $(PROGRAM); leave it out, or PROGRAM=wired, played, faults or lanes)
+endif
+ifeq ($(PROGRAM)$(wildcard board/$(BOARD)/wired/*.c),wired)
+$(error board/$(BOARD) has no serial line; copy board/template/wired there, and write its serial.c)
 endif
 FIRMWARE := $(sort $(COMMON) $(program_$(PROGRAM)) \
                    $(foreach folder,board/$(BOARD) $(SHARED),$(wildcard $(folder)/*.c)))
@@ -73,8 +76,9 @@ PROBE_COMMAND = $(CC) $(STRICT) $(CPU) $(OPTIMISE_FOR) -g $(FREESTANDING) \
 ##build make BOARD=name [PROGRAM=wired] [PARTS='render thesis compact']: build/name/firmware.elf
 firmware all: $(OUT)/firmware.elf $(OUT)/libcount.so
 
-$(OUT)/firmware.elf: $(FIRMWARE_OBJECTS) $(OUT)/stack.txt $(LINK_SCRIPT) \
-                     platform/bare/sections.ld
+# The board first: what is wrong with a new one is in its own files.
+$(OUT)/firmware.elf: $(call objects,$(FIRMWARE)) $(FIRMWARE_OBJECTS) $(OUT)/stack.txt \
+                     $(LINK_SCRIPT) platform/bare/sections.ld
 	@echo "$(CC) $@"
 	@$(CC) $(CPU) -nostdlib -L. -T $(LINK_SCRIPT) -Wl,--gc-sections,-Map=$(OUT)/firmware.map \
 	    -Wl,--defsym=plt_arena_bytes=$(ARENA_BYTES),--defsym=plt_stack_bytes=$(STACK_BYTES) \

@@ -8,6 +8,13 @@
  * SPDX-License-Identifier: MIT */
 #include "board/board.h"
 
+#ifndef PLT_FPGAIO
+#error "board.mk lacks -DPLT_FPGAIO=ADDRESS in BOARD_FLAGS: where the block is"
+#endif
+#ifndef PLT_CLOCK_HERTZ
+#error "board.mk lacks -DPLT_CLOCK_HERTZ=25000000u in BOARD_FLAGS, or what the board's clock has"
+#endif
+
 #define COUNTER (*(volatile uint32_t *)(PLT_FPGAIO + 0x18u))
 
 uint32_t board_ticks(void) {

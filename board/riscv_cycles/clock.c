@@ -5,6 +5,10 @@
  * SPDX-License-Identifier: MIT */
 #include "board/board.h"
 
+#ifndef PLT_CLOCK_HERTZ
+#error "board.mk lacks -DPLT_CLOCK_HERTZ=1000000000u in BOARD_FLAGS, or what the CPU's clock has"
+#endif
+
 uint32_t board_ticks(void) {
     uintptr_t cycles;
     __asm__ volatile(

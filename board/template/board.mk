@@ -8,7 +8,7 @@
 # What the compiler is called, without "gcc".
 CROSS := arm-none-eabi-
 # CPU and FPU. Never -ffast-math; -fno-tree-vectorize where vectors flush subnormals. Without a C
-# library also -isystem platform/headers.
+# library also -isystem platform/headers. platform/PORTING.md has the line of each family.
 CPU := -mthumb -mcpu=cortex-m3
 # scalar, or another NAME of platform/lanes.txt.
 LANES := scalar
@@ -23,7 +23,9 @@ LIBGCC := yes
 BOARD_PARTS := render thesis frames
 # What plt_source calls by pointer, for the stack bound.
 SOURCE_FUNCTIONS := scene_start scene_wait
-# For the C files of the board; FIRMWARE_FLAGS are limits of the engine (engine/planelet_config.h).
+# For the C files of the board, and of SHARED: a clock of board/fpgaio or board/riscv_cycles wants
+# -DPLT_CLOCK_HERTZ=..., a RISC-V whose first hart is not the one -DPLT_HART=1. FIRMWARE_FLAGS are
+# limits of the engine (engine/planelet_config.h).
 BOARD_FLAGS :=
 FIRMWARE_FLAGS := -DPLT_PACKET_SIDE_MAX=8
 # Only of a CPU that cannot guard its stack (Armv6-M): GUARD := none

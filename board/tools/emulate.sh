@@ -114,6 +114,11 @@ if [ -n "$PANEL" ]; then
     [ $status -ne 0 ] || cp "$folder/panel.ppm" "$PANEL" || status=1
 fi
 cat "$log" "$counts"
+# One that begins elsewhere runs what is there, until it is ended.
+if [ $status -eq 124 ] && grep -q ' stored_stack=0$' "$counts"; then
+    echo "error: machine_main was not reached in ${QEMU_SECONDS:-600} seconds; memory.ld puts" \
+        "code at $(symbol plt_text_start): take what QEMU begins at, and on RISC-V -bios none" >&2
+fi
 awk '
     { for (i = 2; i <= NF; i++) { split($i, item, "="); value[$1, item[1]] = item[2] } }
     /^worst / { value["static", "worst"] = $2 }

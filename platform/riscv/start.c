@@ -2,7 +2,7 @@
  *
  * Invariants: traps have a handler and the FPU is on before any compiled code runs; no interrupt
  * is enabled here, so that the worst stack is that of the call graph; of several harts that start
- * together the first goes on, and the others sleep.
+ * together the first goes on, or that of PLT_HART, and the others sleep.
  *
  * Source: The RISC-V Instruction Set Manual, volume II (privileged), 3.1.5 to 3.1.7.
  *
@@ -23,13 +23,21 @@ void reset(void);
 #define TEXT_OF(number) #number
 #define HEX(number) TEXT_OF(number)
 
+/* Of a chip whose first hart has no FPU (SiFive's FU540, an E51 before four U54):
+ * BOARD_FLAGS := -DPLT_HART=1. */
+#ifdef PLT_HART
+#define COUNT_FROM_HART "addi t0, t0, -" HEX(PLT_HART) "\n"
+#else
+#define COUNT_FROM_HART ""
+#endif
+
 /* clang-format off */
 /* The first instruction of the image. */
 __attribute__((naked, used, section(".vectors"))) void reset(void) {
     __asm__ volatile(
         ".option push\n"
         ".option arch, +zicsr\n"
-        "csrr t0, mhartid\n"
+        "csrr t0, mhartid\n" COUNT_FROM_HART
         "2: beqz t0, 3f\n"
         "wfi\n"
         "j 2b\n"

@@ -2,9 +2,9 @@
 #
 # Prints "row: column was, now" for each figure that differs, and lines that begin with "error: "
 # for one above its budget by more than `slack` percent (1), or above the column NAME_most of
-# BUDGET.csv, whatever it was; for a row that is not there; for data or bss; and for a frame's hash
-# that is another. Rows of BUDGET.csv that NOW.csv lacks are left out. Columns of NOW.csv have the
-# names of BUDGET.csv, in any order. SPDX-License-Identifier: MIT
+# BUDGET.csv, whatever it was; for a row that is not there, unless `new` names it; for data or bss;
+# and for a frame's hash that is another. Rows of BUDGET.csv that NOW.csv lacks are left out.
+# Columns of NOW.csv have the names of BUDGET.csv, in any order. SPDX-License-Identifier: MIT
 BEGIN { FS = ","; slack = slack == "" ? 1 : slack }
 FNR == 1 {
     for (i = 1; i <= NF; i++) {
@@ -20,7 +20,9 @@ NR == FNR {
     next
 }
 !($1 in known) {
-    print "error: " $1 " has no row; add it"
+    print index(" " new " ", " " $1 " ") ?
+        $1 " has no budget yet: when it stays, its line of " FILENAME " belongs there" :
+        "error: " $1 " has no row; add its line of " FILENAME
     next
 }
 {

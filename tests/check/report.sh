@@ -68,9 +68,10 @@ make_board() {
     return 1
 }
 
-# boards: those which an emulator here runs, as their run.sh says. cross_of BOARD: the prefix of its
-# compiler.
+# boards: those which an emulator here runs, as their run.sh says, or those of ON alone. cross_of
+# BOARD: the prefix of its compiler.
 boards() {
+    [ -z "$ON" ] || { echo "$ON"; return; }
     for file in $(grep -l '^\. board/tools/emulate.sh' board/*/run.sh); do
         board=${file#board/}
         echo "${board%/run.sh}"

@@ -2,7 +2,7 @@
 # boards.sh SCENES - what a ray takes on every board: bunny and toasters, 320x240, eye light
 #
 # Compact blocks, which every board that has room for anything has room for: mapped where the image
-# fits the board's memory for scenes, else streamed from a file of the debugger's host. BOARDS are
+# fits the board's memory for scenes, else streamed from a file of the debugger's host. ON names
 # some of them. A row of build/rays.csv for each, whose frames are the host's bit for bit, or why
 # there is none; and how these differ from tests/golden/rays.csv: above it by 1 %, and at another
 # place than there, is an error. SPDX-License-Identifier: MIT
@@ -12,7 +12,6 @@ scenes=$1 size=${SIZE:-320x240}
 planelet=$BUILD/host/planelet
 folder=$BUILD/board-figures
 mkdir -p "$folder"
-wanted=${BOARDS:-$(boards)}
 
 value() { # NAME: of the last NAME=value in the text
     echo "$text" | tr ' ' '\n' | sed -n "s/^$1=//p" | tail -n 1
@@ -68,7 +67,7 @@ for scene in bunny toasters; do
 done
 table=$BUILD/rays.csv
 echo "board,bunny,bunny_arena,bunny_per_ray,toasters,toasters_arena,toasters_per_ray" >"$table"
-for board in $wanted; do
+for board in $(boards); do
     build 'render compact frames' || continue
     most=$(room)
     echo "$board,$(figures bunny),$(figures toasters)" | tee -a "$table"

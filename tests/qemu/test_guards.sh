@@ -38,8 +38,10 @@ for board in $(boards); do
     FIRMWARE=$out QEMU_SECONDS=60 sh "board/$board/run.sh" "" nowhere 2>&1 |
         grep -q 'FAULT .*=30000000' && named=$((named + 1))
 done
-verdict "a read from nowhere is a fault that names the address on $named boards" "$(
-    [ "$named" -gt 0 ] || echo "on none")"
+# Not every CPU names it, and some have memory there: of all boards it is asked.
+[ -n "$ON" ] ||
+    verdict "a read from nowhere is a fault that names the address on $named boards" "$(
+        [ "$named" -gt 0 ] || echo "on none")"
 
 QEMU_SECONDS=2 FIRMWARE=$out sh "board/$board/run.sh" "" limit >/dev/null 2>&1
 status=$?
