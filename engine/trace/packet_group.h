@@ -1,7 +1,7 @@
 /* packet_group - four rays made ready as a group, and what groups have in common
  *
- * By the lanes of whoever includes it: packet.c, and packet_quick.c where lanes flush subnormals.
- * How far origins are moved: ray_bounds.h.
+ * By the lanes of whoever includes it: packet_set.c, and packet_quick.c where lanes flush
+ * subnormals. How far origins are moved: ray_bounds.h.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_PACKET_GROUP_H
