@@ -175,7 +175,8 @@ static inline void compare_group(const plt_packet *p, const plt_group_rays *g, p
 /* With the ray whose origin and signs the packet has. */
 static inline void compare_groups(const plt_packet *p, plt_common *c) {
     f4 forward[3] = {f4_zero(), f4_zero(), f4_zero()};
-    *c = (plt_common){.axes = 0};
+    const plt_common none = {0, 0, {0, 0, 0}, {0.0f, 0.0f, 0.0f}};
+    *c = none;
     for (plt_mask m = p->active; m != 0; m &= m - 1) {
         compare_group(p, &p->rays[plt_mask_first(m)], c, forward);
     }
