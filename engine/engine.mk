@@ -97,7 +97,7 @@ samples_files := engine/shade/light.c engine/shade/beam_samples.c engine/shade/w
 diagrams_files := engine/shade/diagram.c
 mixes_files := engine/shade/mixing.c engine/shade/beam_mix.c engine/shade/packet_mix.c
 groups_files := $(addprefix engine/trace/,triangle.c triangle_cull.c triangle_lanes.c hulls.c \
-    packet.c packet_plain.c packet_quick.c boxes.c rays.c packet_rays.c \
+    packet_set.c packet_plain.c packet_quick.c boxes.c rays.c packet_rays.c \
     leaf_compact.c frustum.c) \
     $(wildcard engine/trace/traverse*.c) $(wildcard engine/trace/grid_*.c) \
     engine/shade/camera_packet.c \

@@ -4,7 +4,7 @@
 #include "engine/shade/beam.h"
 #include "engine/trace/ray_bounds.h"
 
-/* `tiny`: as packet.c makes components that are less, at most. Rays on both sides of 0 enter
+/* `tiny`: as packet_set.c makes components that are less, at most. Rays on both sides of 0 enter
  * a box by either plane, and leave it no one knows where. */
 static void set_axis(plt_beam_plane plane[6], const plt_ray_origin *o, int axis,
                      const plt_beam_range *r, float tiny) {

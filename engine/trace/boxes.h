@@ -2,7 +2,7 @@
  *
  * A group meets a box when any of its lanes does, within tmin .. tmax. The distance
  * to a plane is (plane - origin) * (1 / dir), with the origin moved by a bound on the
- * rounding error (packet.c), away from near planes and towards far ones. Distances are
+ * rounding error (packet_set.c), away from near planes and towards far ones. Distances are
  * monotone in the planes: a ray that meets a box meets every box around it.
  *
  * Source: Kay and Kajiya 1986; Karrenberg 2007, section 3.5.

@@ -1,7 +1,7 @@
 /* packet_group - four rays made ready as a group, and what groups have in common
  *
- * By the lanes of whoever includes it: packet.c, and packet_quick.c where lanes flush subnormals.
- * How far origins are moved: ray_bounds.h.
+ * By the lanes of whoever includes it: packet_set.c, and packet_quick.c where lanes flush
+ * subnormals. How far origins are moved: ray_bounds.h.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_PACKET_GROUP_H
@@ -175,7 +175,8 @@ static inline void compare_group(const plt_packet *p, const plt_group_rays *g, p
 /* With the ray whose origin and signs the packet has. */
 static inline void compare_groups(const plt_packet *p, plt_common *c) {
     f4 forward[3] = {f4_zero(), f4_zero(), f4_zero()};
-    *c = (plt_common){.axes = 0};
+    const plt_common none = {0, 0, {0, 0, 0}, {0.0f, 0.0f, 0.0f}};
+    *c = none;
     for (plt_mask m = p->active; m != 0; m &= m - 1) {
         compare_group(p, &p->rays[plt_mask_first(m)], c, forward);
     }

@@ -55,7 +55,7 @@ static inline f4 smallest(const extent *e) {
 
 enum { X_Y_Z = 7 }; /* lanes */
 
-/* None is refused (packet.c), if the axis of the largest component is long enough. */
+/* None is refused (packet_set.c), if the axis of the largest component is long enough. */
 static int are_rays(const extents *e) {
     const m4 numbers = m4_and(f4_eq(e->org.sum, e->org.sum), f4_eq(e->dir.sum, e->dir.sum));
     const m4 within = m4_and(f4_le(largest(&e->org), f4_all(PLT_COORD_MAX)),

@@ -1,6 +1,6 @@
 /* packet_quick - groups set up by lanes that flush subnormals, if there are none
  *
- * What packet.c does, with the same bits, or nothing that counts: then it does it itself
+ * What packet_set.c does, with the same bits, or nothing that counts: then it does it itself
  * (DESIGN.md, section 8.2). No lanes pass between the two, as theirs are others.
  *
  * SPDX-License-Identifier: MIT */

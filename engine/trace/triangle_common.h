@@ -10,7 +10,7 @@
  * Rays that meet the triangle have X <= 2 L + 6 u R, L being the longest side
  * of the triangle's box, so their edge functions are no further on the wrong
  * side than 64 u R L + 264 u^2 R^2. All beyond 72 u R L + 320 u^2 R^2 needs no
- * second look. R is at least 2^-50 (packet.c), so that what underflows is less
+ * second look. R is at least 2^-50 (packet_set.c), so that what underflows is less
  * than the rest of these bounds, in scenes of any size.
  *
  * SPDX-License-Identifier: MIT */

@@ -45,7 +45,7 @@ void plt_ray_origin_set(plt_ray_origin *o, const plt_box *scene, const float org
     }
 }
 
-/* A direction, as set_shear and set_reciprocals of packet.c have it. */
+/* A direction, as set_shear and set_reciprocals of packet_set.c have it. */
 typedef struct direction {
     const float *dir;
     int x, y, z; /* axes: z is that of the largest component */

@@ -16,7 +16,7 @@
 typedef struct plt_ray_origin {
     float org[3];
     float reach;          /* largest distance on any axis from org to the scene's box */
-    float up[3], down[3]; /* org moved by the rounding bound of packet.c, either way */
+    float up[3], down[3]; /* org moved by the rounding bound of packet_set.c, either way */
 } plt_ray_origin;
 
 /* `scene`: the box of all that may be hit; org within PLT_COORD_MAX. */

@@ -6,7 +6,7 @@
  * branch: rays are on one of three lists, and every list is worked off whole.
  *
  * Invariants: what is computed for a ray depends on it and the scene's box alone, by the
- * arithmetic of packet.c and triangle.c: hits are the same, bit for bit. A ray's stack holds
+ * arithmetic of packet_set.c and triangle.c: hits are the same, bit for bit. A ray's stack holds
  * at most what plt_wave_bytes (wave_state.h) gives it room for.
  *
  * Source: the idea is Embree's "stream" filters turned round (no sorting, no coherence); the

@@ -1,7 +1,7 @@
 /* wave_ray - a ray in flight, and its nearest hit so far
  *
  * Everything in it depends on the ray and the scene's box alone, by the arithmetic of
- * packet.c.
+ * packet_set.c.
  *
  * SPDX-License-Identifier: MIT */
 #ifndef PLT_TRACE_WAVE_RAY_H

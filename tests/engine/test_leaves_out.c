@@ -24,7 +24,7 @@
 #include "engine/trace/packet_quick.c"
 #include "engine/trace/triangle_cull.c"
 
-/* As packet.c has scalar lanes. */
+/* As packet_set.c has scalar lanes. */
 static int set_group_kept(plt_packet *p, unsigned index, const f4 org[3], const f4 dir[3], f4 tmin,
                           f4 tmax, unsigned count) {
     const enum flushing how = flushing.how;
@@ -34,7 +34,7 @@ static int set_group_kept(plt_packet *p, unsigned index, const f4 org[3], const 
     return has_rays;
 }
 #define set_group set_group_kept
-#include "engine/trace/packet.c"
+#include "engine/trace/packet_set.c"
 
 #include "tests/reference/random.h"
 #include "tests/test.h"

@@ -1,4 +1,4 @@
-/* packet - see packet.h
+/* packet_set - rays set up as groups, and what they have in common: packet.h
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/trace/packet_group.h"
