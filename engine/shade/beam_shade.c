@@ -5,37 +5,52 @@
 
 #include "engine/trace/triangle_common.h"
 
-static inline int is_small(const float normal[3]) {
-    return __builtin_fabsf(normal[0]) < PLT_NORMAL_LEAST &&
-           __builtin_fabsf(normal[1]) < PLT_NORMAL_LEAST &&
-           __builtin_fabsf(normal[2]) < PLT_NORMAL_LEAST;
-}
-
-/* Of a triangle whose normal vanishes, or nearly so. */
-static void set_small(plt_surface *s, const plt_record *record) {
+/* Of any triangle; its normal may vanish, or nearly so. */
+static void set_surface(plt_surface *s, const plt_record *record) {
     float corner[3][3], normal[3];
     plt_record_corners(record, corner);
     plt_hit_normal((const float(*)[3])corner, normal);
     plt_surface_set(s, normal);
 }
 
-void plt_shaded_set(shaded *s, const plt_record *records, uint32_t record) {
-    const plt_record *of = &records[record];
+static inline void set_record(shaded *s, const plt_record *records, uint32_t record) {
+    s->record = record;
+    s->id = plt_primitive_id(plt_get_u32(&records[record].word[9]));
+}
+
+#if PLT_WITH_MIXES
+static inline int is_small(const float normal[3]) {
+    return __builtin_fabsf(normal[0]) < PLT_NORMAL_LEAST &&
+           __builtin_fabsf(normal[1]) < PLT_NORMAL_LEAST &&
+           __builtin_fabsf(normal[2]) < PLT_NORMAL_LEAST;
+}
+
+/* The same without a copy of the corners, as pixels of several samples set so many. */
+static inline void set_usual(plt_surface *s, const plt_record *record) {
     float corner[3][3], normal[3];
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         PLT_UNROLLED for (int a = 0; a < 3; a++) {
-            corner[c][a] = plt_record_float(of, c, a);
+            corner[c][a] = plt_record_float(record, c, a);
         }
     }
     plt_triangle_normal((const float(*)[3])corner, normal);
     if (is_small(normal)) {
-        set_small(&s->surface, of);
+        set_surface(s, record);
     } else {
-        plt_surface_set(&s->surface, normal);
+        plt_surface_set(s, normal);
     }
-    s->record = record;
-    s->id = plt_primitive_id(plt_get_u32(&of->word[9]));
 }
+
+void plt_shaded_set(shaded *s, const plt_record *records, uint32_t record) {
+    set_usual(&s->surface, &records[record]);
+    set_record(s, records, record);
+}
+#else
+static inline void plt_shaded_set(shaded *s, const plt_record *records, uint32_t record) {
+    set_surface(&s->surface, &records[record]);
+    set_record(s, records, record);
+}
+#endif
 
 static void shade_row(const plt_beam *b, uint8_t shader, uint32_t y, const uint8_t sky[3],
                       uint8_t *rgb, shaded *s) {

@@ -13,7 +13,9 @@ typedef struct shaded {
     plt_surface surface;
 } shaded;
 
+#if PLT_WITH_MIXES
 /* Apart: one for all, as what makes it fast is long. */
 void plt_shaded_set(shaded *s, const plt_record *records, uint32_t record);
+#endif
 
 #endif

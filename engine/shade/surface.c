@@ -69,13 +69,13 @@ void plt_surface_set(plt_surface *s, const float normal[3]) {
     s->squared = dot(s->normal, s->normal);
 }
 
-void plt_sight_set(plt_sight *s, const float dir[3]) {
+static inline void look_along(plt_sight *s, const float dir[3]) {
     even_out(dir, s->dir);
     s->squared = dot(s->dir, s->dir);
 }
 
-void plt_surface_any(const plt_surface *s, uint8_t shader, uint32_t id, const plt_sight *along,
-                     uint8_t rgb[3]) {
+static inline void any_colour(const plt_surface *s, uint8_t shader, uint32_t id,
+                              const plt_sight *along, uint8_t rgb[3]) {
     plt_surface facing_eye;
     if (s->squared == 0.0f) { /* a sliver: as if it faced the eye */
         for (int a = 0; a < 3; a++) {
@@ -98,10 +98,24 @@ void plt_surface_any(const plt_surface *s, uint8_t shader, uint32_t id, const pl
     }
 }
 
+#if PLT_WITH_MIXES
+void plt_sight_set(plt_sight *s, const float dir[3]) {
+    look_along(s, dir);
+}
+
+void plt_surface_any(const plt_surface *s, uint8_t shader, uint32_t id, const plt_sight *along,
+                     uint8_t rgb[3]) {
+    any_colour(s, shader, id, along, rgb);
+}
+#endif
+
 void plt_surface_colour(const plt_surface *s, uint8_t shader, uint32_t id, const float dir[3],
                         uint8_t rgb[3]) {
     plt_sight along;
-    even_out(dir, along.dir);
-    along.squared = dot(along.dir, along.dir);
+    look_along(&along, dir);
+#if PLT_WITH_MIXES
     plt_surface_seen(s, shader, id, &along, rgb);
+#else
+    any_colour(s, shader, id, &along, rgb);
+#endif
 }

@@ -26,9 +26,6 @@ typedef struct plt_sight {
     float squared; /* dir . dir */
 } plt_sight;
 
-/* `dir`: of any length. */
-void plt_sight_set(plt_sight *s, const float dir[3]);
-
 /* |n . d| of both as unit vectors; of what is no sliver. */
 static inline float plt_surface_facing(const plt_surface *s, const plt_sight *along) {
     const float *n = s->normal, *d = along->dir;
@@ -44,6 +41,10 @@ static inline void plt_clay_colour(float facing, uint8_t rgb[3]) {
     rgb[2] = (uint8_t)(int32_t)(limited * PLT_CLAY_BLUE * 255.0f + 0.5f);
 }
 
+#if PLT_WITH_MIXES
+/* `dir`: of any length. */
+void plt_sight_set(plt_sight *s, const float dir[3]);
+
 /* Colour of a hit of the triangle `id`. `shader`: enum plt_shader. */
 void plt_surface_any(const plt_surface *s, uint8_t shader, uint32_t id, const plt_sight *along,
                      uint8_t rgb[3]);
@@ -57,8 +58,10 @@ static inline void plt_surface_seen(const plt_surface *s, uint8_t shader, uint32
         plt_clay_colour(plt_surface_facing(s, along), rgb);
     }
 }
+#endif
 
-/* The same, seen along `dir`. */
+/* Colour of a hit of the triangle `id`, seen along `dir`, which is of any length. `shader`: enum
+ * plt_shader. */
 void plt_surface_colour(const plt_surface *s, uint8_t shader, uint32_t id, const float dir[3],
                         uint8_t rgb[3]);
 

@@ -20,9 +20,11 @@ NR == FNR {
     next
 }
 !($1 in known) {
-    print index(" " new " ", " " $1 " ") ?
-        $1 " has no budget yet: when it stays, its line of " FILENAME " belongs there" :
-        "error: " $1 " has no row; add its line of " FILENAME
+    if (index(" " new " ", " " $1 " ")) {
+        print $1 " has no budget yet: when it stays, its line of " FILENAME " belongs there"
+    } else {
+        print "error: " $1 " has no row; add its line of " FILENAME
+    }
     next
 }
 {
