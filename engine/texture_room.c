@@ -9,6 +9,7 @@
 #include "engine/image/further.h"
 #include "engine/materials_room.h"
 #include "engine/planelet_crc32.h"
+#include "engine/scene/formats.h"
 
 #if PLT_WITH_TEXTURE
 
@@ -64,8 +65,8 @@ static void set_textures(plt_engine *e, plt_textures *t) {
 int plt_texture_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
     plt_textures *t = part[PLT_PART_TEXTURES];
-    if (e->options.textures == 0) {
-        return PLT_OK; /* and there may be no header */
+    if (e->options.textures == 0 || plt_is_streamed(e->scene.format)) {
+        return PLT_OK; /* and there may be no header; texture coordinates are not streamed */
     }
     const plt_section *textures = plt_further_section(h, PLT_SECTION_TEXTURES);
     const plt_section *tiles = plt_further_section(h, PLT_SECTION_TILES);

@@ -3,7 +3,7 @@
 
 CROSS := arm-none-eabi-
 # GCC must not use vectors for floats by itself, as they flush subnormals; the engine does where
-# it only leaves something out.
+# it asks whether they did.
 CPU := -mthumb -mcpu=cortex-m55 -mfloat-abi=hard -fno-tree-vectorize
 LANES := mve
 ARENA_BYTES := 262144

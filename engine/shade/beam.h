@@ -260,7 +260,8 @@ typedef struct plt_beam_part {
 } plt_beam_part;
 
 #if PLT_WITH_SAMPLES
-/* The latter where a pixel has several samples, a part of which is in `part` (beam_samples.c). */
+/* plt_beam_test_planes where a pixel has several samples, for those pixels of the square that have
+ * any in `part` (beam_samples.c). */
 void plt_beam_test_samples(plt_beam *b, const plt_record *record, const plt_beam_part *part);
 #endif
 

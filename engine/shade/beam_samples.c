@@ -4,7 +4,9 @@
  * pixel, and how much they differ over its samples, tell whether it is surely outside, or surely
  * inside. The sum of the planes is n . d of the triangle's normal n, and n . q the same for all of
  * its corners q: so inside t = n . q / n . d is bounded, too, and where that is close enough no
- * sample is tested exactly. Margins: DESIGN.md, section 7.7.
+ * sample is tested exactly. Of a pixel for which that fails each sample has planes and bounds of
+ * its own. So do large triangles that are projected, but whose t is not known well enough.
+ * Margins: DESIGN.md, section 7.7.
  *
  * SPDX-License-Identifier: MIT */
 #include "engine/lanes/unroll.h"
@@ -103,9 +105,9 @@ static bounds bounds_of(const planes *p, const float at[3], const float beside[3
     return t;
 }
 
-/* Bits: some sample may be above a plane, some below one, none is surely inside. */
+/* Bits: 1, all are above some plane; 2, all are below one; 4, of one neither is sure. */
 static inline unsigned sides_of(const float at[3], const float beside[3]) {
-    unsigned sides = 0; /* 1: surely above, 2: surely below, 4: neither */
+    unsigned sides = 0;
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         sides |= at[c] > beside[c] ? 1u : at[c] < -beside[c] ? 2u : 4u;
     }

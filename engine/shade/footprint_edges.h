@@ -3,7 +3,8 @@
  * A triangle whose corners are all in front of the eye, and not too far beside the square, is
  * projected: three edge functions, linear in the pixel, over the pixels of its rectangle. Of
  * any other the edge functions are planes through the eye and an edge, which need no
- * division; they are looked at in all pixels. What is not surely outside is tested exactly.
+ * division; they are looked at in all pixels. What is not surely outside is tested exactly;
+ * of samples see beam_samples.c.
  *
  * Inline for those who project triangles: footprint_corners.h has float corners, beam_strips.c the
  * strips of compact blocks.

@@ -23,7 +23,7 @@ typedef struct plt_smooth {
 #endif
 } plt_smooth;
 
-/* The byte colours of a point that ray or pixel `dir` has hit at `t`: plt_smooth_colour, under the
+/* The byte colours of a point that is hit along `dir` at `t`: plt_smooth_colour, under the
  * texture of the triangle's material. PLT_OK, or what a fetch failed with. */
 static inline int plt_smooth_point(const plt_smooth *s, uint32_t id, const float dir[3], float t,
                                    plt_surface_point *point, uint8_t rgb[3]) {

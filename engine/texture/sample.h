@@ -14,7 +14,7 @@
 typedef struct plt_textures {
     plt_directory directory; /* textures 0: there are none */
     plt_tiles tiles;
-    uint8_t filter; /* enum plt_textures_filter */
+    uint8_t filter; /* enum plt_texture_filter */
 } plt_textures;
 
 /* Of a material's texture at texture coordinates (u right, v up; any floats), red, green and blue,

@@ -224,13 +224,13 @@ static void visit_crowded(visit *v, const plt_grid_level *l) {
     const plt_grid_turn *t = &v->s->turn;
     const int32_t step = t->sign > 0.0f ? 1 : -1, count = (int32_t)l->cells[t->z];
     int32_t slice;
-    int reached;
     plt_grid_patch r;
     if (!plt_grid_first_slice(t, l, 0.0f, &slice)) {
         return;
     }
     for (; slice >= 0 && slice < count; slice += step) {
-        if ((reached = reach_inner(v, l, slice, &r)) < 0) {
+        const int reached = reach_inner(v, l, slice, &r);
+        if (reached < 0) {
             return;
         }
         if (reached) {

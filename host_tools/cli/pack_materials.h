@@ -10,8 +10,8 @@
 
 #define PACK_MATERIALS_FLAGS                                                                       \
     {"--materials", "keep|none",                                                                   \
-     "what triangles are made of, for --shader whitted: those of OBJ files and their MTL, 64 "     \
-     "bytes each and 5 per run of triangles (default none)"},                                      \
+     "what triangles are made of, for --shader whitted and textures: those of OBJ files and "      \
+     "their MTL, 64 bytes each and 5 per run of triangles (default none)"},                        \
         PACK_TEXTURES_FLAGS, {                                                                     \
         "--strict", NULL, "refuse materials that are not found, in place of a word about them"     \
     }

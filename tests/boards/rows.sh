@@ -48,7 +48,7 @@ run_frame() {
 scene_of() {
     scene=$BUILD/rows/$1.plt triangles=$2
     shift 2
-    [ ! -s "$scene" ] || return 0
+    [ -z "$(find "$scene" -newer "$planelet" 2>/dev/null)" ] || return 0
     mkdir -p "$BUILD/rows" &&
         "$planelet" make knot --triangles "$triangles" -o "$BUILD/rows/knot.ply" >/dev/null &&
         "$planelet" pack "$BUILD/rows/knot.ply" "$@" -o "$scene" >/dev/null 2>&1
@@ -64,7 +64,7 @@ board_row() {
     set -- $(bytes_of $(linked engine)) $(bytes_of "$built/firmware.elf") \
         "$(echo "$text" | sed -n 's/^arena .* bytes=//p')" \
         "$(echo "$text" | sed -n 's/^stack painted=.* bytes=//p')"
-    echo "$board,$1,$2,$3,$4,$(($5 + $6)),$(($7 + $8 - $9 - ${10})),$9,$(value peak),${10},\
+    echo "$board,$1,$2,$3,$4,$(($5 + $6)),$(($7 + $8 - ${9:-0} - ${10:-0})),$9,$(value peak),${10},\
 $(value worst),$(value painted),$(value render_longest),$finest,$(per_ray),$(value frame_hash)"
 }
 

@@ -519,6 +519,20 @@ static void refused_options(void) {
     pack_free(&tables);
 }
 
+/* Textures, which they cannot show, take no room and are not read. */
+static void no_textures(void) {
+    packed image = image_of(first_kind(), SHIFT);
+    plt_options options = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
+    options.whitted = 0;
+    options.textures = 0;
+    image.info.texture_bytes = 4096;
+    image.info.material_bytes = 4096;
+    const size_t need = plt_arena_need(&image.info, 0, &options);
+    options.textures = PLT_TEXTURES_BILINEAR;
+    CHECK(need > 0 && plt_arena_need(&image.info, 0, &options) == need, "more than %zu", need);
+    pack_free(&image);
+}
+
 /* Whatever is there: refused with a place, or rendered. */
 static void mutations(void) {
     const plt_frame frame = frame_by(PLT_SHADE_SMOOTH);
@@ -581,6 +595,8 @@ int main(void) {
     resident_damage();
     test("tables are not streamed, pages not of grids, and not of many packets at a time");
     refused_options();
+    test("textures take no room where scenes are streamed");
+    no_textures();
     test("whatever pages hold, they are refused with a place, or frames are rendered");
     mutations();
     return test_done();

@@ -19,7 +19,7 @@ if ! command -v blender >/dev/null 2>&1; then
     exit 2
 fi
 mkdir -p "$folder"
-rm -f "$folder"/*.p??
+rm -f "$folder"/ours.p?? "$folder"/theirs-?.p?? "$folder"/difference-?.png
 "$planelet" make marbles --frame 60 -o "$folder/marbles.obj" >/dev/null || exit 1
 "$planelet" pack "$folder/marbles.obj" -o "$folder/marbles.plt" --materials keep --smooth 40 \
     >/dev/null 2>"$folder/marbles.txt" || exit 1

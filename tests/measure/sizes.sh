@@ -86,11 +86,11 @@ shown() {
 }
 
 if [ "$ON" != none ]; then
-    scene_of knot_600 600
+    scene_of knot_600 600 || fault "no knot of 600 triangles"
     knot=$scene
     echo "$boards_header" >"$results/boards.csv"
     for board in ${ON:-$(boards)}; do
-        built=$BUILD/$board
+        built=$BUILD/$board text=
         make_board "$board" && board_row "$knot" >>"$results/boards.csv" && [ "$status" -eq 0 ] ||
             fault "$board: ${text:-not built}"
     done
@@ -105,7 +105,7 @@ if [ "$OF" != none ]; then
         all_parts
     fi >"$results/parts.txt"
     while read -r words; do
-        built=$(folder_of "$words")
+        built=$(folder_of "$words") text=
         make_board mps2_an386 PARTS="$([ "$words" = all ] || echo "$words")" &&
             parts_row "$words" >>"$results/parts.csv" && [ "$status" -eq 0 ] ||
             fault "$words: ${text:-not built}"

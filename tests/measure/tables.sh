@@ -14,6 +14,11 @@ status=0
 # of NAME.csv says), and, of the table that is there, `by_hand` of the row that has `name` in it.
 table() {
     name=$1 document=$2
+    [ "$(wc -l 2>/dev/null <"$golden/$1.csv" || echo 0)" -gt 1 ] || {
+        echo "$golden/$1.csv has no rows; run: make sizes"
+        status=1
+        return
+    }
     mark="<!-- tests/golden/$name.csv, by make tables -->"
     awk -v mark="$mark" 'index($0, mark) { here = 1; next }
         here && /^\|/ { print; inside = 1; next }

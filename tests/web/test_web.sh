@@ -1,7 +1,7 @@
 #!/bin/sh
 # test_web.sh - the page in Chromium without a window, and its program's lanes in node
 #
-# Beside builders: it builds in build/web alone.
+# Beside builders: it builds in build/web and build/host/tests/web alone.
 #
 # Frames are those of `planelet render`, reports those that planelet-hid sends. A machine without
 # node, Chromium or clang fails it; make setup installs them. SPDX-License-Identifier: MIT

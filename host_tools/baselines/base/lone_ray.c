@@ -21,7 +21,7 @@ static int is_valid(const plt_ray *ray) {
            PLT_DIR_LEAST <= largest_of(ray->dir) && ray->tmin <= ray->tmax && 0.0f <= ray->tmax;
 }
 
-/* As packet.c has it: none is smaller than 2^-60 of the largest. */
+/* As packet_group.h has it: none is smaller than 2^-60 of the largest. */
 static float reciprocal(float d, float tiny) {
     return 1.0f / (fabsf(d) < tiny ? (d < 0.0f ? -tiny : tiny) : d);
 }

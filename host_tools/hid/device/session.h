@@ -69,6 +69,7 @@ void session_steer(session *s, unsigned count[STEER_ACTIONS]);
 /* The device's own picture again, where it has one. A display that refuses is asked for a second,
  * or until `stop`. */
 int session_release(session *s, fail *f);
+/* 0, or -1: the display has no picture of its own, which `f` says. */
 int session_can_release(const session *s, fail *f);
 
 void session_statistics(const session *s, port_statistics *statistics);

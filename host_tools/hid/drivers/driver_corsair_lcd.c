@@ -41,7 +41,8 @@ typedef struct corsair_lcd {
 } corsair_lcd;
 
 /* With the lowest quality steps are 255. A block's samples have energy for 64 coefficients of 1 or
- * -1, 3 bits each; a 2 takes that of nine. However wild the picture is, its file has room. */
+ * -1, from half a step on, 3 bits each; a 2, from 1.5 steps on, takes the energy of nine. However
+ * wild the picture is, its file has room. */
 static size_t jpeg_of(corsair_lcd *l, const picture *p) {
     unsigned quality;
     const size_t bytes =

@@ -143,7 +143,7 @@ static void lower_image(const picture *panel, const layout *of, picture *to) {
 /* ---- files ------------------------------------------------------------------------------ */
 
 /* Its size; the file is of the quality that the room allows. That of the lowest has room
- * (driver_corsair_lcd.c); 0 is for no file beyond it, whatever comes. */
+ * (driver_corsair_lcd.c); 0: no file fits, and none is sent. */
 static size_t jpeg_of(deck *k, const picture *p) {
     const size_t budget = (size_t)p->width * p->height * 3 / 2;
     const size_t room = budget < k->room ? budget : k->room;
