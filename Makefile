@@ -95,14 +95,20 @@ WEB_TESTS := $(sort $(wildcard tests/web/test_*.sh))
 SCRIPT = MAKE='$(MAKE)' CC='$(CC)' BUILD='$(BUILD)' OUT='$(OUT)' ON='$(TRIED)' MAKEFLAGS= MFLAGS= \
          sh tests/run.sh
 
+# What tests want is built by as many jobs as there are processors, if -j does not say otherwise.
+JOBS = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN))
+TESTED = @$(MAKE) --no-print-directory $(JOBS) all test-programs
+
 ##test test: every test program, every check, every firmware run; ends in "N passed, N failed"
-test: all test-programs
-	@-$(MAKE) BOARD=mps2_an386
+test:
+	$(TESTED)
+	@-$(MAKE) $(JOBS) BOARD=mps2_an386
 	@$(SCRIPT) $(TEST_PROGRAMS) $(CLI_TESTS) $(CHECKS) $(QEMU_TESTS) $(HID_TESTS) $(WEB_TESTS)
 
 ##test check: layers, symbols, headers, format, warnings, stack frames, licence lines
-check: all test-programs
-	@-$(MAKE) BOARD=mps2_an386
+check:
+	$(TESTED)
+	@-$(MAKE) $(JOBS) BOARD=mps2_an386
 	@$(SCRIPT) $(CHECKS)
 
 # With `make setup test` the packages come first, also under -j.
