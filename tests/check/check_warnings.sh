@@ -24,6 +24,7 @@ if needs cppcheck; then
         cppcheck --quiet --std=c11 --enable=warning,portability --inline-suppr -I. \
             --suppress=missingInclude --suppress=comparePointers --suppress=ctuuninitvar \
             --suppress=shiftTooManyBits:engine/tree/thesis/treelets.c \
-            -DPLT_BOARD_ARENA_BYTES=65536u -DPLT_CLOCK_HERTZ=1000000u engine platform board 2>&1)"
+            -DPLT_BOARD_ARENA_BYTES=65536u -DPLT_CLOCK_HERTZ=1000000u \
+            -DPLT_FPGAIO=0x40028000u engine platform board 2>&1)"
 fi
 finish
