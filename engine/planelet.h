@@ -256,8 +256,8 @@ typedef struct plt_options {
                       * PLT_SCHEDULE_BRANCH. Without PLT_WITH_WHITTED it is not looked at */
 #if PLT_WITH_TEXTURE
     uint8_t textures;       /* enum plt_texture_filter; of frames of PLT_SHADE_SMOOTH and WHITTED,
-                             * which want `surface`. Room as for `whitted`: the image's materials, if
-                             * it is not mapped. Streamed scenes have none: not looked at there */
+                             * which want `surface`. Room as for `whitted`: the image's materials,
+                             * if it is not mapped. Streamed scenes have none: not looked at there */
     uint32_t texture_bytes; /* with textures of an image that is not mapped: room for their tiles,
                              * 140 bytes each (PLT_TEXTURE_LEAST), as many as fit; 0: for
                              * PLT_TEXTURE_TILES. Less is fetched more often; pictures are alike */

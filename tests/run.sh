@@ -8,8 +8,8 @@
 #
 # TEST_JOBS tests run at a time, as many as there are processors, two at most,
 # unless it says otherwise; what they print comes in the order of the arguments.
-# Scripts outside tests/cli build what they test, all in one tree: one at a time, but for
-# those that say "# Beside builders: " and why they may run beside one, as they write no file of its.
+# Scripts outside tests/cli build what they test, all in one tree: one at a time, but for those
+# that say "# Beside builders: " and why they may run beside one, as they write no file of its.
 # SPDX-License-Identifier: MIT
 limit=${TEST_SECONDS:-2400} # check_variants.sh builds and runs all programs
 jobs=${TEST_JOBS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
