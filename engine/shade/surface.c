@@ -99,7 +99,7 @@ static inline void any_colour(const plt_surface *s, uint8_t shader, uint32_t id,
 }
 
 #if PLT_WITH_MIXES
-void plt_sight_set(plt_sight *s, const float dir[3]) {
+__attribute__((noinline)) void plt_sight_set(plt_sight *s, const float dir[3]) {
     look_along(s, dir);
 }
 
@@ -112,10 +112,11 @@ void plt_surface_any(const plt_surface *s, uint8_t shader, uint32_t id, const pl
 void plt_surface_colour(const plt_surface *s, uint8_t shader, uint32_t id, const float dir[3],
                         uint8_t rgb[3]) {
     plt_sight along;
-    look_along(&along, dir);
 #if PLT_WITH_MIXES
+    plt_sight_set(&along, dir);
     plt_surface_seen(s, shader, id, &along, rgb);
 #else
+    look_along(&along, dir);
     any_colour(s, shader, id, &along, rgb);
 #endif
 }
