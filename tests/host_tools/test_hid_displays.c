@@ -330,7 +330,7 @@ static void nova_patience(void) {
     CHECK(fake_bus.refuse_features == 980, "both windows: %u", 1000 - fake_bus.refuse_features);
     fake_bus.refuse_features = 0;
     test("nova: what is not acknowledged counts as delivered, and the right half comes, too");
-    fake_bus.late_ms = 600;
+    fake_bus.late_ms = 200;
     show(&b, 6);
     CHECK(model_shows_pattern(b.model, 6, 1) == 6, "half a picture");
     test("nova: ... but not once it is unplugged");

@@ -155,7 +155,7 @@ static void add_fault(plan *p, double at, double end) {
         p->reopens = 1;
         break;
     case 5:
-        add(at, SCRIPT_LATE, 600 + any(1000), "");
+        add(at, SCRIPT_LATE, 200 + any(1000), "");
         break;
     default:
         add(at, SCRIPT_STALL, 1 + any(5000), "");

@@ -26,7 +26,7 @@ enum { KEPT_BYTES = 64 };
 /* A feature report that takes so long to fail was carried out but not acknowledged: the system's
  * own limits are one second (libusb) and five. A refusal comes at once, on a busy machine a little
  * later (SESSIONS.md, 3). */
-static const double LATE = 0.5;
+static const double LATE = 0.18;
 
 struct port {
     hid_device *device;
