@@ -257,7 +257,7 @@ typedef struct plt_options {
 #if PLT_WITH_TEXTURE
     uint8_t textures;       /* enum plt_texture_filter; of frames of PLT_SHADE_SMOOTH and WHITTED,
                              * which want `surface`. Room as for `whitted`: the image's materials,
-                             * if it is not mapped. Not looked at where scenes are streamed */
+                             * if it is not mapped. Streamed scenes show none */
     uint32_t texture_bytes; /* with textures of an image that is not mapped: room for their tiles,
                              * 140 bytes each (PLT_TEXTURE_LEAST), as many as fit; 0: for
                              * PLT_TEXTURE_TILES. Less is fetched more often; pictures are alike */

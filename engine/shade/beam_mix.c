@@ -113,7 +113,7 @@ static void mix(const plt_beam *b, plt_sampling *s, const place *at, uint32_t bi
                 some_shaded *last, uint8_t rgb[3]) {
     uint32_t records[16];
     plt_mix m;
-    plt_mix_start(s, &m);
+    plt_mix_begin_pixel(s, &m);
     const uint32_t *end =
         get_records(sample_at(b, at->x, at->y), s->across, b->square.side, records);
     for (uint32_t *record = records; record < end; record++) {
@@ -131,7 +131,7 @@ static void mix_depths(plt_beam *b, plt_sampling *s, const place *at, uint32_t b
                        uint8_t rgb[3]) {
     const uint32_t across = s->across;
     plt_mix m;
-    plt_mix_start(s, &m);
+    plt_mix_begin_pixel(s, &m);
     for (uint32_t i = 0; i < across * across; i++) {
         uint8_t colour[3];
         depth_of(b, s, at->x + i % across, at->y + i / across, colour);

@@ -73,7 +73,7 @@ static int mix(const plt_beam *b, const plt_smooth *how, plt_sampling *s, uint32
                const uint8_t sky[3], shaded *last, uint8_t rgb[3]) {
     const uint32_t across = s->across, end_x = across * (x + 1), end_y = across * (y + 1);
     plt_mix m;
-    plt_mix_start(s, &m);
+    plt_mix_begin_pixel(s, &m);
     for (uint32_t row = across * y; row < end_y; row++) {
         for (uint32_t column = across * x; column < end_x; column++) {
             uint8_t colour[3] = {sky[0], sky[1], sky[2]};

@@ -86,7 +86,7 @@ static int is_whole(const place *at, uint32_t rays) {
 static void mix(const place *at, plt_sampling *s, uint32_t rays, uint32_t bit, uint8_t rgb[3]) {
     uint8_t colour[3];
     plt_mix m;
-    plt_mix_start(s, &m);
+    plt_mix_begin_pixel(s, &m);
     for (uint32_t i = at->first; i < at->first + rays; i++) {
         if (i == at->first || has_depths(s) || !are_alike(at->p, i - 1, i)) {
             colour_of(at, s, i, colour);

@@ -50,7 +50,7 @@ static inline int plt_mix_pixels_next(plt_mix_pixels *p, const plt_sampling *s) 
 }
 
 /* Of the samples of a pixel. */
-static inline void plt_mix_start(const plt_sampling *s, plt_mix *m) {
+static inline void plt_mix_begin_pixel(const plt_sampling *s, plt_mix *m) {
     plt_mix_begin(m, s->across == 2 && s->adapts);
 }
 

@@ -89,7 +89,7 @@ int plt_smooth_mix(const plt_smooth *how, const plt_packet *p, plt_sampling *s,
     plt_mix_pixels_set(&k, s, pixels);
     while (plt_mix_pixels_next(&k, s)) {
         plt_mix m;
-        plt_mix_start(s, &m);
+        plt_mix_begin_pixel(s, &m);
         for (uint32_t i = 0; i < k.rays; i++) {
             uint8_t colour[3];
             const int status = shade_ray(how, p, k.first + i, &sky[3 * k.y], &last, colour);

@@ -45,11 +45,11 @@ static inline void plt_clay_colour(float facing, uint8_t rgb[3]) {
 /* `dir`: of any length. */
 void plt_sight_set(plt_sight *s, const float dir[3]);
 
-/* Colour of a hit of the triangle `id`. `shader`: enum plt_shader. */
+/* Colour of a hit of the triangle `id`, by any enum plt_shader. */
 void plt_surface_any(const plt_surface *s, uint8_t shader, uint32_t id, const plt_sight *along,
                      uint8_t rgb[3]);
 
-/* The same; what is usual at once. */
+/* plt_surface_any, but eye light of what is no sliver is computed here, without a call. */
 static inline void plt_surface_seen(const plt_surface *s, uint8_t shader, uint32_t id,
                                     const plt_sight *along, uint8_t rgb[3]) {
     if (s->squared == 0.0f || shader == PLT_SHADE_TRIANGLE || shader == PLT_SHADE_NORMAL) {
@@ -60,7 +60,7 @@ static inline void plt_surface_seen(const plt_surface *s, uint8_t shader, uint32
 }
 #endif
 
-/* Colour of a hit of the triangle `id`, seen along `dir`, which is of any length. `shader`: enum
+/* Colour of one hit of the triangle `id`, seen along `dir`, which is of any length. `shader`: enum
  * plt_shader. */
 void plt_surface_colour(const plt_surface *s, uint8_t shader, uint32_t id, const float dir[3],
                         uint8_t rgb[3]);

@@ -16,7 +16,7 @@
 static void mix(const plt_whitted *w, plt_sampling *s, uint32_t first, uint32_t bit,
                 uint8_t rgb[3]) {
     plt_mix m;
-    plt_mix_start(s, &m);
+    plt_mix_begin_pixel(s, &m);
     for (uint32_t i = first; i < first + (uint32_t)s->across * s->across; i++) {
         uint8_t colour[3];
         plt_whitted_frame_colour(&w->pixel[i], s->frame, colour);

@@ -76,8 +76,7 @@ PER_KIND uint32_t test_pair(const plt_slab_array *slabs, const plt_box child[2],
     }
     hit[0] = left;
     hit[1] = right;
-    if (plt_flushed(hit)) {
-        plt_flushed_clear();
+    if (plt_was_flushed(hit)) {
         hit[0] = hit[1] = groups;
     }
     return tested;

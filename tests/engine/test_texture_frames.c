@@ -102,13 +102,6 @@ static void differ(void) {
     texture_scene_free(&s);
 }
 
-/* A bit of each tile is another. */
-static void flip_tiles(const texture_scene *s) {
-    for (uint32_t at = s->tiles_at; at + 132 <= s->tiles_at + s->tile_bytes; at += 132) {
-        s->image.bytes[at] ^= 1;
-    }
-}
-
 static int render(plt_engine *e) {
     int status = plt_render_begin(e, &frame);
     if (status == PLT_OK) {
@@ -138,7 +131,7 @@ static void damaged(void) {
     test("a tile that is damaged ends the frame, which says so, and not the next one");
     texture_scene_make(&s, PLT_TEXTURE_RGB565, 4);
     const uint64_t good = hash_of(&s, &textured, 1, &stats);
-    flip_tiles(&s);
+    texture_scene_flip_tiles(&s);
     CHECK(open_lit(&r, &s, &textured, 1) == PLT_OK, "%s", r.fault.message);
     const int status = render(r.engine);
     plt_fault_get(r.engine, &fault);
@@ -151,7 +144,7 @@ static void damaged(void) {
           "mapped: %c%u", r.fault.kind, r.fault.rule);
     free(r.arena);
     CHECK(open_lit(&r, &s, &textured, 1) == PLT_OK && render(r.engine) == PLT_ERR_IMAGE, "again");
-    flip_tiles(&s);
+    texture_scene_flip_tiles(&s);
     CHECK(frame_hash(r.engine, &frame, 1000) == good, "the next frame");
     plt_fault_get(r.engine, &fault);
     CHECK(fault.rule == 0, "%s", fault.message);

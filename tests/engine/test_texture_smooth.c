@@ -218,13 +218,6 @@ static void differ(void) {
     texture_scene_free(&s);
 }
 
-/* A bit of each tile is another. */
-static void flip_tiles(const texture_scene *s) {
-    for (uint32_t at = s->tiles_at; at + 132 <= s->tiles_at + s->tile_bytes; at += 132) {
-        s->image.bytes[at] ^= 1;
-    }
-}
-
 static int render(plt_engine *e) {
     int status = plt_render_begin(e, &frame);
     while (status >= PLT_OK) {
@@ -244,14 +237,14 @@ static void damaged(void) {
     test("a tile that is damaged ends the frame, which says so, and not the next one");
     texture_scene_make(&s, PLT_TEXTURE_RGB565, 4);
     const uint64_t good = hash_of(&s, &textured, 1, &frame, &stats);
-    flip_tiles(&s);
+    texture_scene_flip_tiles(&s);
     plt_engine *e = open_scene(&r, &s, &textured, 1);
     const int status = render(e);
     plt_fault_get(e, &fault);
     CHECK(status == PLT_ERR_IMAGE && fault.kind == 'I' && fault.rule == 30 &&
               fault.offset >= s.tiles_at && (fault.offset - s.tiles_at) % 132 == 0,
           "%d: %c%u at %u", status, fault.kind, fault.rule, fault.offset);
-    flip_tiles(&s);
+    texture_scene_flip_tiles(&s);
     CHECK(frame_hash(e, &frame, 1000) == good, "the next frame");
     plt_fault_get(e, &fault);
     CHECK(fault.rule == 0, "%s", fault.message);

@@ -95,6 +95,12 @@ static int wait(void *context, uint32_t tags) {
     return 0;
 }
 
+void texture_scene_flip_tiles(const texture_scene *s) {
+    for (uint32_t at = s->tiles_at; at + 132 <= s->tiles_at + s->tile_bytes; at += 132) {
+        s->image.bytes[at] ^= 1;
+    }
+}
+
 int texture_scene_open(const texture_scene *s, plt_textures *t, plt_source *source, void *room,
                        uint32_t room_bytes) {
     plt_fault fault;

@@ -29,6 +29,9 @@ void texture_scene_make_as(texture_scene *s, uint8_t format, uint32_t seed, enum
 void texture_scene_make(texture_scene *s, uint8_t format, uint32_t seed);
 void texture_scene_free(texture_scene *s);
 
+/* A bit of each tile is another; once more, and they are whole again. */
+void texture_scene_flip_tiles(const texture_scene *s);
+
 /* A directory and tiles over the image, `room` bytes of slots or, if NULL, mapped. 0, or -1. */
 int texture_scene_open(const texture_scene *s, plt_textures *t, plt_source *source, void *room,
                        uint32_t room_bytes);

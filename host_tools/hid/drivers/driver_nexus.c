@@ -136,7 +136,7 @@ static int nexus_open(display *d, fail *f) {
     d->width = WIDTH;
     d->height = HEIGHT;
     d->state = calloc(1, sizeof(nexus));
-    return d->state == NULL ? fail_set(f, NULL, "out of memory; close other programs") : 0;
+    return d->state != NULL ? DISPLAY_OK : fail_set(f, NULL, "out of memory; close other programs");
 }
 
 static void nexus_close(display *d) {
