@@ -11,9 +11,14 @@ if [ -z "$scene" ]; then
     exit 2
 fi
 out=${FIRMWARE:-${BUILD:-build}/$board}
-shader=$(printf '%s\n' "$@" | sed -n 's/^shader=//p' | tail -n 1)
+given() { # KEY: what its parameter says
+    key=$1
+    shift
+    printf '%s\n' "$@" | sed -n "s/^$key=//p" | tail -n 1
+}
+shader=$(given shader "$@") samples=$(given samples "$@")
 view=$(sh board/tools/host_view.sh "$scene" "$size" "$out/host.ppm" \
-    --shader "${shader:-eyelight}") || exit 1
+    --shader "${shader:-eyelight}" ${samples:+--samples "$samples"}) || exit 1
 # With a camera of its own there is no host frame to compare.
 case " $*" in
 *\ eye=* | *\ look=* | *\ up=* | *\ tan=*) hash= camera= ;;

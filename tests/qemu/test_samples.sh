@@ -52,4 +52,8 @@ same "render thesis surface whitted samples" 61696 lit_smooth "shader=whitted $l
     "--shader whitted $flags"
 same "render thesis surface whitted samples" 61696 samples "shader=smooth" "--shader smooth"
 same "render thesis frames surface samples" 42496 samples "shader=smooth" "--shader smooth"
+verdict "make run compares frames of samples with the host's" "$(
+    text=$(FIRMWARE=$folder sh board/tools/run_like_host.sh mps2_an386 "$out/samples.plt" 32x24 \
+        shader=smooth samples=4 2>&1) || echo "status $?"
+    echo "$text" | grep -q '^the host renders the same frame$' || echo "$text" | tail -n 3)"
 finish
