@@ -37,8 +37,7 @@ int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int look
     plt_wave_job job = {.wave = t->wave,
                         .traversal = t,
                         .packet = packet,
-                        .packet_rays = most,
-                        .window = looks ? window : 0,
+                        .window = {looks ? window : 0, most, any},
                         .rays = rays,
                         .hits = hits,
                         .count = count,
@@ -78,8 +77,7 @@ int plt_wave_suits(plt_traversal *t, const plt_packet *packet, enum plt_wave_kin
     if (t->scene->bvh4 == NULL && t->scene->format == PLT_FORMAT_COMPACT) {
         return !plt_packet_is_narrow(packet, PLT_COHERENCE_NARROW_IN_BLOCKS);
     }
-    if (d->dense > 0) {
-        d->dense -= rays < d->dense ? rays : d->dense;
+    if (plt_wave_density_is_high(d, rays)) {
         return 1;
     }
     return !plt_packet_is_narrow(packet, PLT_COHERENCE_NARROW);
@@ -94,6 +92,7 @@ void plt_wave_watch(plt_traversal *t, enum plt_wave_kind kind, uint32_t rays) {
 
 void plt_wave_watch_end(plt_traversal *t) {
     plt_wave *w = t->wave;
-    plt_wave_learn(&w->density[w->watched], WATCH_WINDOW, w->watched_rays, w->watched_rays,
-                   t->stats.node_visits - w->visits_before);
+    const plt_wave_window window = {WATCH_WINDOW, w->watched_rays, w->watched == PLT_WAVE_SHADOWS};
+    plt_wave_density_packets(&w->density[w->watched], &window, w->watched_rays,
+                             t->stats.node_visits - w->visits_before);
 }

@@ -120,75 +120,51 @@ static void ask_ahead(const plt_wave_job *job) {
     plt_prefetch(ahead + (left > 2 ? 2 : 0));
 }
 
-/* Where boxes are as small as the gaps between rays they are visited for a ray or two at a time,
- * and packets are a burden. Visits per ray tell it: packets of 16 x 16 win on scenes where they
- * make 0.05 to 0.74, the wave where they make 1.16 to 2.8 (DESIGN.md, section 6.2). Smaller
- * packets share less near the root: 1, 1.25, 1.75 and 2.75 are the limit for 16 to 2 rays per side.
- */
-static uint32_t visits_most(uint32_t packet_rays) {
-    uint32_t side = 2;
-    while (side * side < packet_rays) {
-        side *= 2;
-    }
-    return PLT_WAVE_VISIT_ONE / 16 * (12 + 64 / side);
-}
-
-/* On a moving average, to which a window adds 1/32, a shorter one the share of its rays, and none
- * more than 4 times the limit. Above the limit the rays of so many windows go by the wave, until
- * packets are tried again; of about twice as many as before, if those were dense once more. */
-enum { DENSE_WINDOWS = 15, DENSE_WINDOWS_MOST = 63 };
-
-static uint32_t run_after(uint32_t run, int is_dense) {
-    const uint32_t longer = 2 * run + 1;
-    return run == 0 || !is_dense ? DENSE_WINDOWS
-                                 : (longer < DENSE_WINDOWS_MOST ? longer : DENSE_WINDOWS_MOST);
-}
-
-void plt_wave_learn(plt_wave_density *d, uint32_t window, uint32_t packet_rays, uint32_t rays,
-                    uint64_t visits) {
-    const uint64_t limit = visits_most(packet_rays), most = 4 * limit * rays;
-    const uint64_t now = visits < most / PLT_WAVE_VISIT_ONE ? visits * PLT_WAVE_VISIT_ONE : most;
-    const unsigned shift = 5u + (unsigned)__builtin_ctz(window); /* 32 windows, no division */
-    d->visits = (uint32_t)(((((uint64_t)1 << shift) - rays) * d->visits + now) >> shift);
-    d->run = d->visits > limit ? run_after(d->run, now > limit * rays) : 0;
-    d->dense = d->run * window;
-}
-
 static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
-    plt_wave_density *w = &job->wave->density[PLT_WAVE_GIVEN];
     const plt_scene *scene = job->traversal->scene;
-    if (job->window == 0) {
+    if (job->window.rays == 0) {
         return 0;
     }
     if (scene->bvh4 == NULL && scene->format == PLT_FORMAT_COMPACT) { /* dense or not */
         return plt_rays_are_narrow(rays, count, &scene->box, PLT_COHERENCE_NARROW_IN_BLOCKS);
     }
-    if (w->dense > 0) {
-        w->dense -= count < w->dense ? count : w->dense;
+    if (plt_wave_density_is_high(&job->wave->density[PLT_WAVE_GIVEN], count)) {
+        job->is_dense = count == job->window.rays;
         return 0;
     }
     return plt_rays_are_coherent(rays, count, &scene->box);
+}
+
+/* Of a window that packets would have had: it is traced, but for what is in flight. */
+static void learn_alone(plt_wave_job *job) {
+    if (job->is_dense) {
+        plt_wave_density_alone(&job->wave->density[PLT_WAVE_GIVEN], job->window.rays,
+                               job->traversal->stats.node_visits - job->visits_before);
+    }
+    job->is_dense = 0;
 }
 
 /* Traces windows of coherent rays in packets, up to one that is not, which it counts. Called
  * when all rays that were set up are taken. */
 PLT_APART_ON_SMALL_STACKS static void look(plt_wave_job *job) {
     plt_traversal *t = job->traversal;
+    learn_alone(job);
     while (job->next < job->count && job->status == PLT_OK) {
         const uint32_t left = job->count - job->next;
-        const uint32_t now = job->window > 0 && job->window < left ? job->window : left;
+        const uint32_t window = job->window.rays, now = window > 0 && window < left ? window : left;
         const plt_ray *rays = job->rays + job->next;
         if (!goes_in_packets(job, rays, now)) {
             job->seen += now;
             t->stats.rays += now;
             t->stats.wave_rays += now;
+            job->visits_before = t->stats.node_visits;
             return;
         }
         const uint64_t visits = t->stats.node_visits;
-        job->status = plt_trace_packets(t, job->packet, job->packet_rays, rays,
+        job->status = plt_trace_packets(t, job->packet, job->window.packet_rays, rays,
                                         job->hits + job->next, now, job->any);
-        plt_wave_learn(&job->wave->density[PLT_WAVE_GIVEN], job->window, job->packet_rays, now,
-                       t->stats.node_visits - visits);
+        plt_wave_density_packets(&job->wave->density[PLT_WAVE_GIVEN], &job->window, now,
+                                 t->stats.node_visits - visits);
         job->next += now;
         job->seen = job->next;
     }

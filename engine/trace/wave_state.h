@@ -5,6 +5,7 @@
 #define PLT_TRACE_WAVE_STATE_H
 
 #include "engine/trace/traversal.h"
+#include "engine/trace/wave_density.h"
 #include "engine/trace/wave_ray.h"
 
 /* Rays in flight: PLT_WAVE_LEAST .. PLT_WAVE_MOST, or 0: there is no wave. */
@@ -67,17 +68,8 @@ typedef struct plt_wave_found {
     uint32_t row; /* of children, by which they are sorted */
 } plt_wave_found;
 
-enum { PLT_WAVE_VISIT_ONE = 65536 }; /* one visit: so fine that single rays count */
-
 /* Rays that are told apart where packets are tried. */
 enum plt_wave_kind { PLT_WAVE_GIVEN, PLT_WAVE_BOUNCES, PLT_WAVE_SHADOWS, PLT_WAVE_KINDS };
-
-/* How dense boxes are for packets of rays of a kind. */
-typedef struct plt_wave_density {
-    uint32_t visits; /* per ray of packets, a moving average, in PLT_WAVE_VISIT_ONE */
-    uint32_t dense;  /* rays that go by the wave, whether they are coherent or not */
-    uint32_t run;    /* windows of them, from one try of packets to the next */
-} plt_wave_density;
 
 /* Arrays of rays_in_flight each lie behind it, and the rays behind those. */
 typedef struct plt_wave {
@@ -102,12 +94,13 @@ typedef struct plt_wave_job {
     plt_wave *wave;
     plt_traversal *traversal; /* counts them */
     plt_packet *packet;       /* for coherent rays; its first group sets others up */
-    uint32_t packet_rays;
-    uint32_t window;     /* rays looked at together, a multiple of 4; 0: all go by the wave */
-    const plt_ray *rays; /* NULL: those of the packet, which gets their hits */
+    plt_wave_window window; /* of rays looked at together, a multiple of 4; 0: all go by the wave */
+    const plt_ray *rays;    /* NULL: those of the packet, which gets their hits */
     plt_hit *hits;
     uint32_t count, next;
-    uint32_t seen; /* rays below are known to be incoherent */
+    uint32_t seen;          /* rays below are known to be incoherent */
+    int is_dense;           /* those of the last window: or, they are for packets that were */
+    uint64_t visits_before; /* of nodes, when that began */
     int any;
     int status;      /* of packets */
     int is_begun;    /* the first rays are taken */
@@ -204,10 +197,6 @@ static inline uint32_t plt_wave_stack_bytes(enum plt_wave_tree tree, uint32_t de
     }
     return PLT_WAVE_COMPACT_BYTES + PLT_WAVE_COMPACT_ENTRY_BYTES * (depth + 2);
 }
-
-/* A window of so many rays, a power of 2, went in packets of so many: learns from their visits. */
-void plt_wave_learn(plt_wave_density *d, uint32_t window, uint32_t packet_rays, uint32_t rays,
-                    uint64_t visits);
 
 /* Takes the next ray that can hit anything; those that cannot miss. 0: there are no more. */
 int plt_wave_take(plt_wave_job *job, plt_wave_ray *to);
