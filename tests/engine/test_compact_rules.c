@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "host_tools/pack/pack.h"
 #include "tests/reference/compact_hostile.h"
@@ -100,16 +101,21 @@ static void every_rule(int floats, const packed *image) {
     }
 }
 
+static uint32_t bits_of(float number) {
+    uint32_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
 /* The scene's box against the lattice box, one step or one float to either side. */
 static void two_boxes(int floats, const packed *image) {
     for (uint32_t side = 0; side < 6; side++) {
         const uint32_t at = AT_LO + 4 * side, lattice_at = AT_BOX + 4 * side;
         const uint32_t number = plt_get_u32(image->bytes + lattice_at);
         const float edge = plt_get_float(image->bytes + at), far = side < 3 ? -1e9f : 1e9f;
-        uint32_t outwards, inwards, beyond;
-        plt_put_float((unsigned char *)&outwards, nextafterf(edge, far));
-        plt_put_float((unsigned char *)&inwards, nextafterf(edge, -far));
-        plt_put_float((unsigned char *)&beyond, edge + far * 1e-6f);
+        const uint32_t outwards = bits_of(nextafterf(edge, far));
+        const uint32_t inwards = bits_of(nextafterf(edge, -far));
+        const uint32_t beyond = bits_of(edge + far * 1e-6f);
         const change around[3] = {
             {at, outwards, 4, BOTH, floats ? 0 : 14, AT_BOX},
             {at, beyond, 4, BOTH, 14, AT_BOX},

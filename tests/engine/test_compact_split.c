@@ -10,10 +10,11 @@
 enum { SIDES = 4, MEMORY = 4096 };
 
 /* A triangle in the plane z = 0 from x to x + width, one lattice step high. */
-static void put(uint16_t *corner, uint32_t x, uint32_t width) {
+static void put(unsigned char *corner, uint32_t x, uint32_t width) {
     const uint32_t number[9] = {x, 0, 0, x + width, 0, 0, x, 1, 0};
     for (int i = 0; i < 9; i++) {
-        corner[i] = (uint16_t)number[i];
+        corner[2 * i] = (unsigned char)number[i];
+        corner[2 * i + 1] = (unsigned char)(number[i] >> 8);
     }
 }
 
@@ -22,7 +23,7 @@ static void put(uint16_t *corner, uint32_t x, uint32_t width) {
  * splitting off the first list costs 100 + 3 * 600 = 1,900 and needs two. */
 static uint32_t nodes_of(uint32_t k, uint32_t gap) {
     static _Alignas(8) unsigned char memory[MEMORY];
-    uint16_t corners[SIDES * 4][9];
+    unsigned char corners[SIDES * 4][9 * 2];
     const uint32_t count = SIDES * k;
     for (uint32_t i = 0; i < k; i++) {
         put(corners[i], 0, 100);
@@ -30,7 +31,7 @@ static uint32_t nodes_of(uint32_t k, uint32_t gap) {
         put(corners[2 * k + i], gap + 300, 300);
         put(corners[3 * k + i], gap + 300, 300);
     }
-    plt_blocks_job job = {.triangles = {(const unsigned char *)corners, count, 2, 0},
+    plt_blocks_job job = {.triangles = {corners[0], count, 2, 0},
                           .bits = 12,
                           .leaf_triangles = k,
                           .splits = PLT_SPLIT_SAH,

@@ -81,7 +81,9 @@ static void add_record(engine_scan *scan, const scan_source *source) {
     const uint32_t index = scan->triangles++;
     const unsigned char *record = source->second + 40 * (size_t)index;
     engine_triangle *triangle = &scan->triangle[index];
-    memcpy(triangle->point, record, sizeof triangle->point);
+    for (uint32_t i = 0; i < 9; i++) {
+        triangle->point[i / 3][i % 3] = plt_get_float(record + 4 * i);
+    }
     triangle->primitive_id = plt_primitive_id(plt_get_u32(record + 36));
     triangle->rotation = plt_primitive_rotation(plt_get_u32(record + 36));
 }
