@@ -414,7 +414,8 @@ if part "$words"; then
         [ -n "$way" ] || source=
         # shellcheck disable=SC2086
         text=$(FIRMWARE=$texture SOURCE=$source sh board/mps2_an386/run.sh \
-            "$out/checks_pages.plt" size=80x60 shader=smooth packet=4 ${way#"$source"} ${view#* } 2>&1)
+            "$out/checks_pages.plt" size=80x60 shader=smooth packet=4 ${way#"$source"} \
+            ${view#* } 2>&1)
         verdict "textures by pages, ${way:-resident}: the frame of the host" "$(
             [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
                 echo "$text")"
