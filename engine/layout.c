@@ -386,7 +386,7 @@ static uint64_t rebuild_bytes(const subject *s) {
 
 #if PLT_WITH_TEXTURE
 static int has_textures(const subject *s) {
-    return s->options->textures > 0 && s->info->texture_bytes > 0 && !plt_is_streamed(s->format);
+    return plt_texture_room_is_wanted(s->info, s->options, s->format);
 }
 #elif PLT_WITH_MATERIALS
 static int has_textures(const subject *s) {

@@ -245,7 +245,7 @@ typedef struct plt_options {
                       * for its bytes of them where it is not mapped; triangles that
                       * have none are flat, and white. Where there is plt_trace (PLT_WITH_GROUPS),
                       * also 4 bytes per triangle, of compact blocks 6, to find it by its number.
-                      * Streamed: of an image that has them in pages (SPEC.md, 4.23), by schedule
+                      * Streamed: those that an image has in pages (SPEC.md, 4.23), by schedule
                       * branch, for 44 bytes per ray of a packet. Of scenes that are not movable and
                       * not of instances; compact blocks are not built here, and have no frames;
                       * grids have no pages. Without PLT_WITH_SURFACE: 0 */
@@ -257,7 +257,9 @@ typedef struct plt_options {
 #if PLT_WITH_TEXTURE
     uint8_t textures;       /* enum plt_texture_filter; of frames of PLT_SHADE_SMOOTH and WHITTED,
                              * which want `surface`. Room as for `whitted`: the image's materials,
-                             * if it is not mapped. Streamed scenes show none */
+                             * if it is not mapped. Of streamed scenes whose texture coordinates
+                             * are in pages (SPEC.md, 4.23); others are shown without, and of an
+                             * image without pages there is no room for any */
     uint32_t texture_bytes; /* with textures of an image that is not mapped: room for their tiles,
                              * 140 bytes each (PLT_TEXTURE_LEAST), as many as fit; 0: for
                              * PLT_TEXTURE_TILES. Less is fetched more often; pictures are alike */
@@ -327,7 +329,7 @@ typedef struct plt_info {
     uint32_t texcoord_bytes; /* ... and of texture coordinates */
 #endif
 #if PLT_WITH_PAGES
-    uint32_t page_bytes; /* ... and of normals and colours, page by page */
+    uint32_t page_bytes; /* ... and of all that corners have, page by page */
 #endif
 #if PLT_WITH_MATERIALS
     uint32_t material_bytes; /* ... and of materials; 0: there are none */

@@ -38,16 +38,21 @@ static int open_tables(plt_engine *e, const plt_header *h, unsigned char **room,
 }
 
 #if PLT_WITH_TEXCOORDS
-/* Of a scene that is resident. */
+/* Of a scene that is resident: in front of those of pages. */
 static int open_texcoords(plt_engine *e, const plt_header *h, unsigned char **room,
                           plt_fault *fault) {
     plt_surface_data *d = &e->scene.surface;
     const plt_section *s = plt_further_section(h, PLT_SECTION_TEXCOORDS);
     const unsigned char *bytes;
-    d->has_texcoords = s != NULL && !plt_is_streamed(e->scene.format);
-    if (!d->has_texcoords) {
+    if (s == NULL || plt_is_streamed(e->scene.format)) {
         return PLT_OK;
     }
+#if PLT_WITH_PAGES
+    if (d->is_paged) {
+        d->pages.has &= (uint8_t)~PLT_PAGES_TEXCOORDS;
+    }
+#endif
+    d->has_texcoords = 1;
     const int status = load(e, s, room, &bytes, fault);
     return status == PLT_OK ? plt_texcoords_set(&d->texcoords, s, bytes, fault) : status;
 }
@@ -97,7 +102,7 @@ static int open_surface(plt_engine *e, const plt_header *h, unsigned char **room
     return status == PLT_OK && !d->has_normals && !d->has_colours &&
                    plt_further_section(h, PLT_SECTION_PAGES) != NULL
                ? plt_limit(fault,
-                           "normals and colours come in pages here, and this build of the "
+                           "what corners have comes in pages here, and this build of the "
                            "engine has none (PLT_WITH_STREAMED)")
                : status;
 }

@@ -65,14 +65,12 @@ static void set_textures(plt_engine *e, plt_textures *t) {
 int plt_texture_room_set(plt_engine *e, const plt_header *h, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault) {
     plt_textures *t = part[PLT_PART_TEXTURES];
-    if (e->options.textures == 0 || plt_is_streamed(e->scene.format)) {
-        return PLT_OK; /* and there may be no header; texture coordinates are not streamed */
+    if (!plt_texture_room_is_wanted(&e->scene.info, &e->options,
+                                    (enum plt_format)e->scene.format)) {
+        return PLT_OK; /* and there may be no header */
     }
     const plt_section *textures = plt_further_section(h, PLT_SECTION_TEXTURES);
     const plt_section *tiles = plt_further_section(h, PLT_SECTION_TILES);
-    if (textures == NULL) {
-        return PLT_OK;
-    }
     unsigned char *room = (unsigned char *)t + PLT_TEXTURE_STATE_BYTES;
     int status = read_directory(e, &t->directory, textures, tiles, room, fault);
     if (status == PLT_OK) {

@@ -21,7 +21,19 @@ static inline uint32_t plt_texture_tiles_bytes(const plt_options *options) {
                                       : PLT_TEXTURE_TILES * (uint32_t)sizeof(plt_tile_slot);
 }
 
-/* Lays them out, if they are asked for and there are some, once the room for lights is: R13, R20.
+/* They are asked for, and there are some, on coordinates that there may be: of streamed scenes
+ * these come in pages. */
+static inline int plt_texture_room_is_wanted(const plt_info *info, const plt_options *options,
+                                             enum plt_format format) {
+#if PLT_WITH_PAGES
+    const int has_coordinates = !plt_is_streamed(format) || info->page_bytes > 0;
+#else
+    const int has_coordinates = !plt_is_streamed(format);
+#endif
+    return options->textures > 0 && info->texture_bytes > 0 && has_coordinates;
+}
+
+/* Lays them out, if they are wanted, once the room for lights is: R13, R20.
  * `header` may be NULL if they are not. */
 int plt_texture_room_set(plt_engine *e, const plt_header *header, void *const part[PLT_PARTS_COUNT],
                          plt_fault *fault);

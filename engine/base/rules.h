@@ -61,7 +61,7 @@ enum plt_invariant {
     PLT_I28_MATRICES = 28, /* the check of a frame of matrices is right */
     PLT_I29_PLACED = 29,   /* matrices can be inverted, and place bodies within 2^40 */
     PLT_I30_TILES = 30,    /* the check of a tile that is fetched is right */
-    PLT_I31_PAGES = 31     /* pages of normals and colours, and where they are, are right */
+    PLT_I31_PAGES = 31     /* pages of what corners have, and where they are, are right */
 };
 
 #endif

@@ -40,7 +40,7 @@ enum plt_section_kind {
     PLT_SECTION_TEXCOORDS = 15,    /* ... and where textures lie on them */
     PLT_SECTION_TEXTURES = 16,     /* ... and textures, and which materials have them */
     PLT_SECTION_TILES = 17,        /* ... and their texels */
-    PLT_SECTION_PAGES = 18,        /* ... and normals and colours, page by page */
+    PLT_SECTION_PAGES = 18,        /* ... and all that corners have, page by page */
 };
 
 typedef struct plt_section {

@@ -1,4 +1,4 @@
-/* page_fetch - pages of normals and colours that come from a source when a triangle is shaded
+/* page_fetch - pages of what corners have that come from a source when a triangle is shaded
  *
  * They lie in the store of the scene's blocks, or treelets, and so do the chunks that say where
  * they are.

@@ -1,4 +1,5 @@
-/* surface_data - the normals and colours of an image, found by where corners are
+/* surface_data - the normals, colours and texture coordinates of an image, found by where corners
+ * are
  *
  * Triangles that meet share what they have in common: a corner's position, its floats as they are
  * in the scene, is a key (retrieval.h) of its normal. Where triangles that meet in a position
@@ -35,8 +36,9 @@ typedef struct plt_surface_pages {
     uint32_t at, bytes;            /* where it lies in the image, and how long it is */
     uint32_t chunks_at, pages_at;  /* of it: the directory, and the pages */
     uint32_t pages;
-    uint8_t shift; /* a page has 2^shift triangles, in the order of the image */
-    uint8_t has;   /* bits of surface_pages.h */
+    uint8_t shift;         /* a page has 2^shift triangles, in the order of the image */
+    uint8_t has;           /* bits of surface_pages.h */
+    uint8_t texcoord_bits; /* of an entry of texture coordinates */
 } plt_surface_pages;
 #endif
 

@@ -12,15 +12,23 @@
 #include "engine/base/rules.h"
 #include "engine/planelet_crc32.h"
 
-enum { AT_HAS = 0, AT_SHIFT = 4, AT_PALETTE = 8, AT_CHECK = 12, AT_RESERVED = 16 };
-enum { TABLES_HEAD = PLT_NORMALS_HEAD, PAGE_LEAST = PLT_PAGE_HEAD + TABLES_HEAD, KINDS = 2 };
+enum {
+    AT_HAS = 0,
+    AT_SHIFT = 4,
+    AT_PALETTE = 8,
+    AT_CHECK = 12,
+    AT_TEXCOORDS = PLT_TEXCOORDS_AT_BITS
+};
+enum { TABLES_HEAD = PLT_NORMALS_HEAD, PAGE_LEAST = PLT_PAGE_HEAD + TABLES_HEAD, KINDS = 3 };
+
+_Static_assert((int)PLT_PAGES_HEAD == (int)PLT_TEXCOORDS_HEAD, "texture coordinates have one head");
 
 /* ---- head -------------------------------------------------------------------------------- */
 
 uint32_t plt_pages_head_check(const unsigned char *head, uint32_t bytes) {
     static const unsigned char none[4] = {0, 0, 0, 0};
     const uint32_t before = plt_crc32(0, head, AT_CHECK);
-    return plt_crc32(plt_crc32(before, none, 4), head + AT_RESERVED, bytes - AT_RESERVED);
+    return plt_crc32(plt_crc32(before, none, 4), head + AT_TEXCOORDS, bytes - AT_TEXCOORDS);
 }
 
 static int is_zero(const unsigned char *bytes, uint32_t count) {
@@ -29,6 +37,24 @@ static int is_zero(const unsigned char *bytes, uint32_t count) {
         any |= bytes[i];
     }
     return any == 0;
+}
+
+/* The bits of an entry of texture coordinates, which are of use without them, too: they say how
+ * long pages are. */
+static int set_texcoords(plt_surface_data *d, const unsigned char *head) {
+#if PLT_WITH_TEXCOORDS
+    const int fits = plt_texcoords_read_head(&d->texcoords, head);
+    const uint32_t *bits = d->texcoords.bits;
+#else
+    int fits = is_zero(head + PLT_TEXCOORDS_AT_REST, PLT_PAGES_HEAD - PLT_TEXCOORDS_AT_REST);
+    uint32_t bits[2];
+    for (int a = 0; a < 2; a++) {
+        bits[a] = plt_get_u32(head + PLT_TEXCOORDS_AT_BITS + 4 * a);
+        fits &= bits[a] >= PLT_TEXCOORD_BITS_LEAST && bits[a] <= PLT_TEXCOORD_BITS_MOST;
+    }
+#endif
+    d->pages.texcoord_bits = (uint8_t)(bits[0] + bits[1]);
+    return fits;
 }
 
 /* Where the directory ends is within the section. */
@@ -40,7 +66,9 @@ static int set_pages(plt_surface_data *d, const plt_section *s, const unsigned c
     const uint32_t most = (has & PLT_PAGES_COLOURS) != 0 ? PLT_PALETTE_SMALL : 0;
     if (has == 0 || has > PLT_PAGES_ALL || shift < PLT_PAGE_SHIFT_LEAST ||
         shift > PLT_PAGE_SHIFT_MOST || palette > most || (palette == 0) != (most == 0) ||
-        !is_zero(head + AT_RESERVED, PLT_PAGES_HEAD - AT_RESERVED)) {
+        !((has & PLT_PAGES_TEXCOORDS) != 0
+              ? set_texcoords(d, head)
+              : is_zero(head + AT_TEXCOORDS, PLT_PAGES_HEAD - AT_TEXCOORDS))) {
         return 0;
     }
     p->at = s->offset;
@@ -68,6 +96,9 @@ int plt_surface_pages_set(plt_surface_data *d, const plt_section *s, const unsig
     d->is_paged = 1;
     d->has_normals = (d->pages.has & PLT_PAGES_NORMALS) != 0;
     d->has_colours = (d->pages.has & PLT_PAGES_COLOURS) != 0;
+#if PLT_WITH_TEXCOORDS
+    d->has_texcoords = (d->pages.has & PLT_PAGES_TEXCOORDS) != 0;
+#endif
     return PLT_OK;
 }
 
@@ -96,8 +127,8 @@ int plt_pages_chunk_valid(const plt_surface_pages *p, uint32_t chunk, const unsi
 }
 
 /* Bits of an entry of each kind of tables. */
-static uint32_t bits_of(uint32_t kind) {
-    return kind == 0 ? PLT_NORMAL_BITS : PLT_PAGES_COLOUR_BITS;
+static uint32_t bits_of(const plt_surface_data *d, uint32_t kind) {
+    return kind == 0 ? PLT_NORMAL_BITS : kind == 1 ? PLT_PAGES_COLOUR_BITS : d->pages.texcoord_bits;
 }
 
 static uint64_t tables_bytes(const unsigned char *head, uint32_t bits) {
@@ -114,7 +145,7 @@ int plt_surface_page_valid(const plt_surface_data *d, uint32_t page, const unsig
         if (at + TABLES_HEAD > count) {
             return 0;
         }
-        at += tables_bytes(bytes + at, bits_of(kind));
+        at += tables_bytes(bytes + at, bits_of(d, kind));
     }
     return at == count && plt_get_u32(bytes) ==
                               plt_pages_check(page, bytes + PLT_PAGE_HEAD, count - PLT_PAGE_HEAD);
@@ -139,11 +170,16 @@ void plt_surface_page_view(plt_surface_data *view, const plt_surface_data *d,
     view->has_normals = d->has_normals;
     view->has_colours = d->has_colours;
     if (d->has_normals) {
-        at = set_tables(&view->normals, at, bits_of(0));
+        at = set_tables(&view->normals, at, PLT_NORMAL_BITS);
     }
     if (d->has_colours) {
-        set_tables(&view->colours, at, bits_of(1));
+        at = set_tables(&view->colours, at, PLT_PAGES_COLOUR_BITS);
     }
+#if PLT_WITH_TEXCOORDS
+    if ((d->pages.has & PLT_PAGES_TEXCOORDS) != 0) {
+        set_tables(&view->texcoords.tables, at, d->pages.texcoord_bits);
+    }
+#endif
 }
 
 static int broken(const plt_surface_pages *p, uint32_t at, const char *message, plt_fault *fault) {

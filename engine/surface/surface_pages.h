@@ -1,4 +1,4 @@
-/* surface_pages - normals and colours of an image, some triangles at a time
+/* surface_pages - normals, colours and texture coordinates of an image, some triangles at a time
  *
  * Triangles lie in an image so that neighbours are near each other. A page has the tables
  * (surface_data.h) of so many of them, one after the other: all that one of them needs, though
@@ -29,13 +29,13 @@ enum {
 };
 
 /* What pages have tables of: bits, in the order of their tables. */
-enum { PLT_PAGES_NORMALS = 1, PLT_PAGES_COLOURS = 2, PLT_PAGES_ALL = 3 };
+enum { PLT_PAGES_NORMALS = 1, PLT_PAGES_COLOURS = 2, PLT_PAGES_TEXCOORDS = 4, PLT_PAGES_ALL = 7 };
 
 /* Head and palette, as much as there may be. */
 #define PLT_PAGES_ROOM (PLT_PAGES_HEAD + PLT_PALETTE_SMALL * PLT_PALETTE_BYTES)
 
-#define PLT_PAGES_CHUNK_DAMAGED "where pages of normals and colours are is damaged (check)"
-#define PLT_PAGES_PAGE_DAMAGED "normals and colours of some triangles are damaged (check)"
+#define PLT_PAGES_CHUNK_DAMAGED "where pages of what corners have are is damaged (check)"
+#define PLT_PAGES_PAGE_DAMAGED "what corners of some triangles have is damaged (check)"
 
 /* Their check, with its own four bytes, at 12, as 0; `bytes`: of both. */
 uint32_t plt_pages_head_check(const unsigned char *head, uint32_t bytes);

@@ -22,10 +22,9 @@ static int is_axis_wrong(const plt_texcoords *t, int a) {
            is_beyond(t->from[a] + (float)((1u << t->bits[a]) - 1) * t->step[a]);
 }
 
-/* All of the head but the tables; whether it is what it must be. */
-static int reads_head(plt_texcoords *t, const unsigned char *head) {
+int plt_texcoords_read_head(plt_texcoords *t, const unsigned char *head) {
     uint32_t rest = 0;
-    for (uint32_t at = PLT_TEXCOORDS_AT_STEP + 8; at < PLT_TEXCOORDS_HEAD; at += 4) {
+    for (uint32_t at = PLT_TEXCOORDS_AT_REST; at < PLT_TEXCOORDS_HEAD; at += 4) {
         rest |= plt_get_u32(head + at);
     }
     for (uint32_t a = 0; a < 2; a++) {
@@ -38,7 +37,7 @@ static int reads_head(plt_texcoords *t, const unsigned char *head) {
 
 int plt_texcoords_set(plt_texcoords *t, const plt_section *s, const unsigned char *bytes,
                       plt_fault *fault) {
-    if (!reads_head(t, bytes) ||
+    if (!plt_texcoords_read_head(t, bytes) ||
         !plt_further_is_full(s, bytes, plt_texcoords_bytes(bytes, t->bits[0] + t->bits[1]))) {
         return plt_refused(fault, PLT_R18_SURFACE, s->offset,
                            "a section of texture coordinates is not what its head must be");

@@ -14,14 +14,20 @@
 #include "engine/image/header.h"
 #include "engine/surface/surface_tables.h"
 
-#if PLT_WITH_TEXCOORDS
-
-#define PLT_TEXCOORD_MOST 0x1p20f
-
 /* What the section begins with, and bits of u, and of v. */
 enum { PLT_TEXCOORDS_HEAD = 64, PLT_TEXCOORD_BITS_LEAST = 2, PLT_TEXCOORD_BITS_MOST = 16 };
 
-enum { PLT_TEXCOORDS_AT_BITS = 16, PLT_TEXCOORDS_AT_FROM = 24, PLT_TEXCOORDS_AT_STEP = 32 };
+/* Of what it begins with; pages have the same there (surface_pages.h). */
+enum {
+    PLT_TEXCOORDS_AT_BITS = 16,
+    PLT_TEXCOORDS_AT_FROM = 24,
+    PLT_TEXCOORDS_AT_STEP = 32,
+    PLT_TEXCOORDS_AT_REST = 40 /* 0 up to its end */
+};
+
+#if PLT_WITH_TEXCOORDS
+
+#define PLT_TEXCOORD_MOST 0x1p20f
 
 typedef struct plt_texcoords {
     plt_surface_tables tables;
@@ -44,6 +50,10 @@ static inline void plt_texcoord_decode(const plt_texcoords *t, uint32_t value, f
 static inline uint64_t plt_texcoords_bytes(const unsigned char *head, uint32_t bits) {
     return PLT_TEXCOORDS_HEAD + plt_surface_tables_bytes(head, bits);
 }
+
+/* Sets all of `t` but its tables by the 64 bytes that a section, or pages, begin with; 0: they are
+ * not what they must be. */
+int plt_texcoords_read_head(plt_texcoords *t, const unsigned char *head);
 
 /* `bytes`: those of section `s`. R18 refuses heads that do not fit it. */
 int plt_texcoords_set(plt_texcoords *t, const plt_section *s, const unsigned char *bytes,

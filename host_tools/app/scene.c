@@ -397,18 +397,16 @@ static int open_engines(scene *s, void *arenas, plt_fault *fault) {
 }
 
 /* Lights fall on normals and colours of the image, if it has any that can be had; of
- * streamed scenes those cannot that are in tables, as coordinates of textures are (textures_say).
- */
+ * streamed scenes those cannot that are in tables (textures_say). */
 static void choose_surface(scene *s, const plt_info *info) {
     if (s->options.whitted > 0 && (info->normal_bytes > 0 || info->colour_bytes > 0 ||
                                    info->texcoord_bytes > 0 || info->page_bytes > 0)) {
         s->options.surface = 1;
         s->options.surface = plt_arena_need(info, 0, &s->options) > 0;
     }
-    const int has_textures = s->options.surface && s->options.residency == PLT_RESIDENCY_WHOLE &&
-                             info->texture_bytes > 0 && s->textures != PLT_TEXTURES_NONE;
+    const int has_textures = s->options.surface && info->texture_bytes > 0;
     s->options.textures = has_textures ? s->textures : (uint8_t)PLT_TEXTURES_NONE;
-    s->options.texture_bytes = has_textures ? s->texture_bytes : 0;
+    s->options.texture_bytes = s->options.textures != PLT_TEXTURES_NONE ? s->texture_bytes : 0;
 }
 
 int scene_start(scene *s, const char *path, plt_fault *fault) {

@@ -5,18 +5,8 @@
 
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 
 enum { ROOM_MOST = 1 << 30 };
-
-static int is_streamed(args *a) {
-    return strcmp(args_text(a, "--residency", "resident"), "streamed") == 0;
-}
-
-static int is_asked_for(const scene *s, args *a) {
-    return args_has(a, "--texture-room") ||
-           (args_has(a, "--textures") && s->textures != PLT_TEXTURES_NONE);
-}
 
 void textures_read(scene *s, args *a, uint8_t shader) {
     static const char *const choices[] = {"bilinear", "nearest", "none", NULL};
@@ -29,19 +19,17 @@ void textures_read(scene *s, args *a, uint8_t shader) {
         args_complain(a,
                       "--textures and --texture-room are for --shader smooth or whitted; add one");
     }
-    if (is_shown && is_asked_for(s, a) && is_streamed(a)) {
-        args_complain(a,
-                      "--textures and --texture-room are of resident scenes; leave out "
-                      "--residency streamed");
-    }
 }
 
 void textures_say(const scene *s, const char *path) {
     const plt_info *info = plt_engine_info(s->engine);
     const int is_shown = s->options.surface || s->options.whitted > 0;
     if (is_shown && s->options.residency == PLT_RESIDENCY_STREAMED && info->texture_bytes > 0 &&
-        s->textures != PLT_TEXTURES_NONE) {
-        fprintf(stderr, "%s: without its textures, as it is streamed\n", path);
+        info->texcoord_bytes > 0 && s->textures != PLT_TEXTURES_NONE) {
+        fprintf(stderr,
+                "%s: without its textures, as it is streamed and their coordinates are in a table; "
+                "pack it with --surface pages\n",
+                path);
     }
     if (s->options.whitted > 0 && s->options.residency == PLT_RESIDENCY_STREAMED &&
         !s->options.surface && (info->normal_bytes > 0 || info->colour_bytes > 0)) {

@@ -10,13 +10,12 @@
 
 #define TEXTURES_FLAGS                                                                             \
     {"--textures", "bilinear|nearest|none",                                                        \
-     "smooth or whitted, resident: textures of the image, mixed between four texels, or in "       \
-     "squares, or not "                                                                            \
+     "smooth or whitted: textures of the image, mixed between four texels, or in squares, or not " \
      "at all (default bilinear)"},                                                                 \
     {                                                                                              \
         "--texture-room", "BYTES",                                                                 \
-            "likewise, with --source read or dma: memory for their tiles, 140 each, 140 to "       \
-            "1073741824 (default 8960)"                                                            \
+            "likewise, with --source read or dma, or streamed: memory for their tiles, 140 each, " \
+            "140 to 1073741824 (default 8960)"                                                     \
     }
 
 /* Reads the flags into the scene, for frames of that shader. Refuses through args_complain. */

@@ -572,6 +572,7 @@ static void read_flags(pack_job *job, args *a) {
     read_instances(job, a);
     pack_surface_read(&job->surface, a);
     pack_materials_read(&job->materials, a, &job->surface.corners);
+    pack_surface_check(&job->surface, a);
     read_checks(job, a);
     read_quality(job, a);
     job->compact.splits = job->options.splits;

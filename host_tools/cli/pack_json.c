@@ -130,7 +130,7 @@ static int write_surface(output *o, const surface_stats *s, fail *f) {
                          ",\n  \"colours_off\": %" PRIu32 ",\n  \"colours_off_mean\": %.3f,\n",
                          s->colours_kept, s->colours_distinct, s->colours_off, s->colours_mean);
     }
-    return status == 0 && s->texcoords.bytes > 0
+    return status == 0 && s->texcoords.positions + s->texcoords.split > 0
                ? output_print(o, f, "  \"texture_coordinates_off\": %.3g,\n", s->texcoords_off)
                : status;
 }

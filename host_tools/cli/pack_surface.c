@@ -17,10 +17,6 @@ static int wants_of_file(const mesh_corners *c) {
     return c->wants_normals || c->wants_colours || c->wants_texcoords;
 }
 
-static int has_normals_or_colours(const pack_surface *s) {
-    return s->smooths || s->corners.wants_normals || s->corners.wants_colours;
-}
-
 int pack_surface_wanted(const pack_surface *s) {
     return s->smooths || wants_of_file(&s->corners);
 }
@@ -41,14 +37,8 @@ void pack_surface_read(pack_surface *s, args *a) {
     }
     static const char *const ways[] = {"tables", "pages", NULL};
     s->paged = (int)args_choice(a, "--surface", ways, 0);
-    if (args_has(a, "--surface") && !has_normals_or_colours(s)) {
-        args_complain(a, "--surface is of normals and colours; use --smooth 40 or --colours");
-    }
     if (!pack_surface_wanted(s)) {
         return;
-    }
-    if (s->paged && strcmp(args_text(a, "--build", "host"), "device") == 0) {
-        args_complain(a, "--surface pages takes --build host, whose triangles keep their order");
     }
     if (args_has(a, "--sequence") || args_has(a, "--instances")) {
         args_complain(a,
@@ -64,6 +54,17 @@ void pack_surface_read(pack_surface *s, args *a) {
     }
     if (args_has(a, "--reduce") && wants_of_file(&s->corners)) {
         args_complain(a, "--reduce leaves other corners than the mesh's; use --smooth for normals");
+    }
+}
+
+void pack_surface_check(const pack_surface *s, args *a) {
+    if (args_has(a, "--surface") && !pack_surface_wanted(s)) {
+        args_complain(a,
+                      "--surface is of normals, colours and texture coordinates; use --smooth 40, "
+                      "--colours or --texcoords");
+    }
+    if (s->paged && strcmp(args_text(a, "--build", "host"), "device") == 0) {
+        args_complain(a, "--surface pages takes --build host, whose triangles keep their order");
     }
 }
 
@@ -106,10 +107,11 @@ int pack_surface_add(pack_surface *s, const pack_meshes *in, packed *image, fail
 }
 
 static void say_pages(const surface_stats *s, const packed *image, const char *more) {
-    note("pages: %" PRIu32 " of %" PRIu32 " triangles, %" PRIu64 " normals and %" PRIu64
-         " colours by position, %" PRIu64 " and %" PRIu64 " by triangle, %.2f bytes per triangle%s",
-         s->pages_count, s->each, s->normals.positions, s->colours.positions, s->normals.split,
-         s->colours.split,
+    note("pages: %" PRIu32 " of %" PRIu32 " triangles, %" PRIu64 " normals, %" PRIu64
+         " colours and %" PRIu64 " texture coordinates by position, %" PRIu64 ", %" PRIu64
+         " and %" PRIu64 " by triangle, %.2f bytes per triangle%s",
+         s->pages_count, s->each, s->normals.positions, s->colours.positions,
+         s->texcoords.positions, s->normals.split, s->colours.split, s->texcoords.split,
          (double)s->pages.bytes / (image->info.triangles > 0 ? image->info.triangles : 1), more);
 }
 
@@ -124,21 +126,25 @@ static void say_section(const char *what, const surface_section *s, const packed
 
 void pack_surface_say(const pack_surface *s, const packed *image) {
     const surface_stats *st = &s->stats;
-    char more[140] = "";
+    char colours[140] = "", texcoords[80] = "", both[240];
     if (st->colours_distinct > st->colours_kept) {
-        snprintf(more, sizeof more,
+        snprintf(colours, sizeof colours,
                  ", %" PRIu32 " for %" PRIu32 " that differ, off by at most %" PRIu32
                  " of 255, %.2f on average",
                  st->colours_kept, st->colours_distinct, st->colours_off, st->colours_mean);
     }
+    if (st->texcoords.positions + st->texcoords.split > 0) {
+        snprintf(texcoords, sizeof texcoords, ", off by at most %.2g of a texture",
+                 st->texcoords_off);
+    }
     if (s->paged && pack_surface_wanted(s)) {
-        say_pages(&s->stats, image, more);
+        snprintf(both, sizeof both, "%s%s", colours, texcoords);
+        say_pages(&s->stats, image, both);
         return;
     }
     say_section("normals", &st->normals, image, "");
-    say_section("colours", &st->colours, image, more);
-    snprintf(more, sizeof more, ", off by at most %.2g of a texture", st->texcoords_off);
-    say_section("texture coordinates", &st->texcoords, image, more);
+    say_section("colours", &st->colours, image, colours);
+    say_section("texture coordinates", &st->texcoords, image, texcoords);
 }
 
 void pack_surface_free(pack_surface *s) {

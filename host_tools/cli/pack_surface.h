@@ -24,8 +24,9 @@
          "triangle, or in 32 (default none)"},                                                     \
     {                                                                                              \
         "--surface", "tables|pages",                                                               \
-            "how an image has normals and colours: in tables that are resident, or page by page, " \
-            "so that they are streamed, too, for 0.2 bytes per triangle more (default tables)"     \
+            "how an image has normals, colours and texture coordinates: in tables that are "       \
+            "resident, or page by page, so that they are streamed, too, for 0.2 bytes per "        \
+            "triangle more each (default tables)"                                                  \
     }
 
 typedef struct pack_surface {
@@ -38,6 +39,8 @@ typedef struct pack_surface {
 
 /* The flags; a wrong one sets a->wrong. */
 void pack_surface_read(pack_surface *s, args *a);
+/* --surface, once it is known what corners are to have: textures want coordinates, too. */
+void pack_surface_check(const pack_surface *s, args *a);
 int pack_surface_wanted(const pack_surface *s);
 
 /* Of meshes as they will be packed: makes normals, if they are asked for; fails when there are none

@@ -15,17 +15,6 @@
 #include "host_tools/pack/surface_code.h"
 #include "host_tools/pack/surface_making.h"
 
-static void make_steps(const adding *a, making *m) {
-    m->texcoords = texcoord_code_begin();
-    m->bits = m->c->has_fine_texcoords ? TEXCOORD_BITS_FINE : TEXCOORD_BITS;
-    for (size_t i = 0; i < a->count; i++) {
-        const size_t at = surface_source(a, i);
-        texcoord_code_add(&m->texcoords, m->c->texcoord[0][at], m->c->texcoord[1][at]);
-    }
-    texcoord_code_end(&m->texcoords, m->bits);
-    m->split = plt_texcoord_split(&m->texcoords.steps);
-}
-
 /* ---- bytes ------------------------------------------------------------------------------- */
 
 enum { HEAD_MOST = PLT_COLOURS_HEAD + PALETTE_MANY * PLT_PALETTE_BYTES };
@@ -43,10 +32,8 @@ static uint32_t put_head(unsigned char *to, const making *m) {
         }
         return PLT_COLOURS_HEAD + m->colours.count * PLT_PALETTE_BYTES;
     }
-    for (uint32_t a = 0; a < 2 && m->kind == PLT_SECTION_TEXCOORDS; a++) {
-        plt_put_u32(to + PLT_TEXCOORDS_AT_BITS + 4 * a, m->texcoords.steps.bits[a]);
-        plt_put_float(to + PLT_TEXCOORDS_AT_FROM + 4 * a, m->texcoords.steps.from[a]);
-        plt_put_float(to + PLT_TEXCOORDS_AT_STEP + 4 * a, m->texcoords.steps.step[a]);
+    if (m->kind == PLT_SECTION_TEXCOORDS) {
+        surface_put_steps(to, m);
     }
     return m->kind == PLT_SECTION_NORMALS ? PLT_NORMALS_HEAD : PLT_TEXCOORDS_HEAD;
 }
@@ -108,7 +95,7 @@ static int make_colours(adding *a, const mesh_corners *c, surface_stats *stats) 
 
 static int make_texcoords(adding *a, const mesh_corners *c, surface_stats *stats) {
     making m = {.c = c, .kind = PLT_SECTION_TEXCOORDS, .stats = &stats->texcoords};
-    make_steps(a, &m);
+    surface_make_steps(a, &m);
     const int status = make_section(a, &m);
     stats->texcoords_off = m.texcoords.off;
     return status;
@@ -127,17 +114,6 @@ int surface_add(packed *image, const mesh_corners *c, const char *name, surface_
     int status = surface_begin(&a, image, name, f);
     if (status == 0) {
         status = make_all(&a, c, stats);
-    }
-    surface_end(&a);
-    return status;
-}
-
-int surface_add_texcoords(packed *image, const mesh_corners *c, const char *name,
-                          surface_stats *stats, fail *f) {
-    adding a;
-    int status = surface_begin(&a, image, name, f);
-    if (status == 0) {
-        status = make_texcoords(&a, c, stats);
     }
     surface_end(&a);
     return status;

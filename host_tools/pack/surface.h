@@ -14,8 +14,4 @@
 int surface_add(packed *image, const mesh_corners *c, const char *name, surface_stats *stats,
                 fail *f);
 
-/* Texture coordinates alone, of an image that has the rest another way. */
-int surface_add_texcoords(packed *image, const mesh_corners *corners, const char *name,
-                          surface_stats *stats, fail *f);
-
 #endif

@@ -131,7 +131,27 @@ int surface_make_palette(const adding *a, making *m, uint32_t near, surface_stat
     return status == 0 ? 0 : surface_out_of_memory(a);
 }
 
+void surface_make_steps(const adding *a, making *m) {
+    m->texcoords = texcoord_code_begin();
+    m->bits = m->c->has_fine_texcoords ? TEXCOORD_BITS_FINE : TEXCOORD_BITS;
+    for (size_t i = 0; i < a->count; i++) {
+        const size_t at = surface_source(a, i);
+        texcoord_code_add(&m->texcoords, m->c->texcoord[0][at], m->c->texcoord[1][at]);
+    }
+    texcoord_code_end(&m->texcoords, m->bits);
+    m->split = plt_texcoord_split(&m->texcoords.steps);
+}
+
 /* ---- bytes ------------------------------------------------------------------------------- */
+
+void surface_put_steps(unsigned char *head, const making *m) {
+    const plt_texcoords *steps = &m->texcoords.steps;
+    for (uint32_t a = 0; a < 2; a++) {
+        plt_put_u32(head + PLT_TEXCOORDS_AT_BITS + 4 * a, steps->bits[a]);
+        plt_put_float(head + PLT_TEXCOORDS_AT_FROM + 4 * a, steps->from[a]);
+        plt_put_float(head + PLT_TEXCOORDS_AT_STEP + 4 * a, steps->step[a]);
+    }
+}
 
 /* Bit by bit, the lowest first, over zeros. */
 unsigned char *surface_put_entries(unsigned char *to, const retrieval_table *t, uint32_t bits) {

@@ -1,5 +1,5 @@
-/* surface_making - what normals and colours of an image are made of: surface.c makes one of all
- * triangles, surface_pages.c one of some after the other
+/* surface_making - what normals, colours and texture coordinates of an image are made of: surface.c
+ * makes one of all triangles, surface_pages.c one of some after the other
  *
  * SPDX-License-Identifier: MIT */
 #ifndef SURFACE_MAKING_H
@@ -59,6 +59,12 @@ int surface_make_tables(const adding *a, making *m);
 /* Of all colours, which may be `near` off before there are more than PALETTE_FEW; bits and split of
  * `m` follow. Likewise. */
 int surface_make_palette(const adding *a, making *m, uint32_t near, surface_stats *stats);
+
+/* Steps of all texture coordinates; likewise. */
+void surface_make_steps(const adding *a, making *m);
+
+/* ... into the head of their section, or of pages. */
+void surface_put_steps(unsigned char *head, const making *m);
 
 /* A table's entries of so many bits each, the lowest first, over zeros; returns what is behind
  * them. */

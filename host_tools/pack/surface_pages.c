@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: MIT */
 #include "host_tools/pack/surface_pages.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "engine/planelet_crc32.h"
@@ -22,7 +23,8 @@ enum { ANY_DISTANCE = 255 };
 typedef struct paging {
     adding all; /* triangles of the image, and room for them */
     const mesh_corners *c;
-    making colours; /* their palette */
+    making colours;   /* their palette */
+    making texcoords; /* their steps */
     surface_stats *stats;
     unsigned char *bytes; /* of the section; room for `room` */
     uint64_t room, used;
@@ -51,12 +53,13 @@ static int reserve(paging *p, uint64_t bytes) {
 
 /* ---- a page ------------------------------------------------------------------------------ */
 
-/* The tables of some triangles, behind what is used; `of`: kind, bits, split and palette. */
+/* The tables of some triangles, behind what is used; `of`: kind, bits, split, palette and steps. */
 static int put_tables(paging *p, adding *some, const making *of, surface_section *s) {
     surface_section of_page = {0};
     making m = *of;
     m.stats = &of_page;
     surface_set_corners(some, &m);
+    p->stats->texcoords_off = fmax(p->stats->texcoords_off, m.texcoords.off);
     int status = surface_make_tables(some, &m);
     const uint64_t bytes = PLT_NORMALS_HEAD + plt_retrieval_bytes(m.position.third, m.bits) +
                            plt_retrieval_bytes(m.corner.third, m.bits);
@@ -98,6 +101,9 @@ static int put_page(paging *p, uint32_t page) {
     if (status == 0 && p->c->colour != NULL) {
         status = put_tables(p, &some, &p->colours, &p->stats->colours);
     }
+    if (status == 0 && p->c->texcoord[0] != NULL) {
+        status = put_tables(p, &some, &p->texcoords, &p->stats->texcoords);
+    }
     if (status == 0) {
         unsigned char *at = p->bytes + begin;
         plt_put_u32(at, plt_pages_check(page, at + PLT_PAGE_HEAD,
@@ -136,6 +142,9 @@ static void seal(const paging *p, uint32_t chunks_at) {
     for (uint32_t i = 0; i < p->colours.colours.count; i++) {
         memcpy(head + PLT_PAGES_HEAD + i * PLT_PALETTE_BYTES, p->colours.colours.colour[i], 3);
     }
+    if ((p->has & PLT_PAGES_TEXCOORDS) != 0) {
+        surface_put_steps(head, &p->texcoords);
+    }
     plt_put_u32(head + 12, plt_pages_head_check(head, chunks_at));
 }
 
@@ -144,7 +153,7 @@ static int put_all(paging *p) {
     const uint32_t triangles = p->all.image->info.triangles;
     const uint32_t chunks_at = PLT_PAGES_HEAD + p->colours.colours.count * PLT_PALETTE_BYTES;
     p->pages = (uint32_t)(((uint64_t)triangles + (1u << p->shift) - 1) >> p->shift);
-    p->stats->normals = p->stats->colours = (surface_section){0};
+    p->stats->normals = p->stats->colours = p->stats->texcoords = (surface_section){0};
     p->used = 0;
     if (p->room > 0) {
         memset(p->bytes, 0, (size_t)p->room);
@@ -188,8 +197,13 @@ static int make(paging *p) {
         p->colours = (making){.c = p->c, .kind = PLT_SECTION_COLOURS};
         status = surface_make_palette(&p->all, &p->colours, ANY_DISTANCE, p->stats);
     }
+    if (p->c->texcoord[0] != NULL) {
+        p->texcoords = (making){.c = p->c, .kind = PLT_SECTION_TEXCOORDS};
+        surface_make_steps(&p->all, &p->texcoords);
+    }
     p->has = (p->c->normal != NULL ? PLT_PAGES_NORMALS : 0u) |
-             (p->c->colour != NULL ? PLT_PAGES_COLOURS : 0u);
+             (p->c->colour != NULL ? PLT_PAGES_COLOURS : 0u) |
+             (p->c->texcoord[0] != NULL ? PLT_PAGES_TEXCOORDS : 0u);
     p->shift++;
     do {
         p->shift--;
@@ -207,9 +221,6 @@ int surface_pages_add(packed *image, const mesh_corners *c, uint32_t shift, cons
         status = make(&p);
     }
     surface_end(&p.all);
-    if (status == 0 && c->texcoord[0] != NULL) {
-        status = surface_add_texcoords(image, c, name, stats, f);
-    }
     palette_free(&p.colours.colours);
     heap_drop(p.bytes);
     return status;

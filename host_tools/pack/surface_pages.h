@@ -1,4 +1,5 @@
-/* surface_pages - adds normals and colours to a finished image, page by page (SPEC.md, 4.23)
+/* surface_pages - adds normals, colours and texture coordinates to a finished image, page by page
+ * (SPEC.md, 4.23)
  *
  * SPDX-License-Identifier: MIT */
 #ifndef SURFACE_PAGES_H

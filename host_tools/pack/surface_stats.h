@@ -14,7 +14,7 @@ typedef struct surface_section {
 
 typedef struct surface_stats {
     surface_section normals, colours, texcoords;
-    surface_section pages;                                /* of normals and colours: bytes */
+    surface_section pages;                                /* of all three: bytes */
     uint32_t pages_count, each;                           /* how many, and triangles of each */
     uint32_t colours_kept, colours_distinct, colours_off; /* off: palette.h, furthest */
     double colours_mean;                                  /* ... and mean */

@@ -79,7 +79,7 @@ static void choose_options(const plt_info *info, unsigned shader) {
             viewed.options.surface = 0; /* not streamed, unless they are in pages */
         }
     }
-    if (viewed.options.surface && viewed.where != VIEW_STREAMED && info->texture_bytes > 0) {
+    if (viewed.options.surface && info->texture_bytes > 0) {
         viewed.options.textures = PLT_TEXTURES_BILINEAR;
     }
 }

@@ -40,10 +40,8 @@ says "has no texture coordinates to keep; leave out --texcoords" pack quad.ply -
     --texcoords keep
 packs 2 quad.ply
 
-says "--surface is of normals and colours; use --smooth 40 or --colours" pack knot.ply -o x.plt \
-    --surface pages
-says "--surface is of normals and colours; use --smooth 40 or --colours" pack knot.ply -o x.plt \
-    --surface pages --texcoords keep
+says "--surface is of normals, colours and texture coordinates; use --smooth 40, --colours or \
+--texcoords" pack knot.ply -o x.plt --surface pages
 cured pack knot.ply -o x.plt --surface pages --smooth 40
 says "--surface pages takes --build host, whose triangles keep their order" pack knot.ply -o x.plt \
     --surface pages --smooth 40 --build device

@@ -179,22 +179,31 @@ for flag in '--textures nearest' '--texture-room 1000'; do
         cured render x.plt -o x.png --size 8x8 $flag --shader $shader
     done
 done
-for flag in '--textures nearest' '--texture-room 1000'; do
-    # shellcheck disable=SC2086
-    says "--textures and --texture-room are of resident scenes; leave out --residency streamed" \
-        render x.plt -o x.png --size 8x8 --shader whitted --residency streamed $flag
-    # shellcheck disable=SC2086
-    cured render x.plt -o x.png --size 8x8 --shader whitted $flag
-done
-without='x.plt: without its textures, as it is streamed'
+# Coordinates in a table, which are not streamed, and in pages, which are.
+painted 'map_Kd p.ppm'
+run pack good.obj -o x.plt --materials keep
+message="%s: without its textures, as it is streamed and their coordinates are in a table; pack it \
+with --surface pages"
 run render x.plt -o x.png --size 8x8 --shader whitted --residency streamed
-verdict "a streamed scene says that it is without its textures" "$(
-    [ "$status" -eq 0 ] && grep -qx "$without" err || cat err)"
+said=$([ "$status" -eq 0 ] && grep -qx "$(pattern "$message")" err || cat err)
+cured pack good.obj -o paged.plt --materials keep --surface pages
 run render x.plt -o y.png --size 8x8 --shader whitted --residency streamed --textures none
 verdict "... but not if they are not wanted" "$([ "$status" -eq 0 ] || cat err; cat err)"
 same x.png y.png "... and is the picture without them"
 run render x.plt -o x.png --size 8x8 --shader whitted
 verdict "... nor does one that has them" "$([ "$status" -eq 0 ] || cat err; cat err)"
+for shader in smooth whitted; do
+    run render x.plt -o x.ppm --size 8x8 --shader $shader
+    for how in '' '--residency streamed' '--residency streamed --texture-room 140' \
+        '--residency streamed --source read --prefetch 2'; do
+        # shellcheck disable=SC2086
+        run render paged.plt -o y.ppm --size 8x8 --shader $shader $how
+        verdict "$shader by pages, $how: nothing is said" "$(
+            [ "$status" -eq 0 ] || echo "status $status"
+            cat err)"
+        same x.ppm y.ppm "... and it is the same picture"
+    done
+done
 run render x.plt -o x.ppm --size 8x8 --shader smooth
 for how in '--source read' '--packet 2' '--source read --texture-room 140'; do
     # shellcheck disable=SC2086

@@ -103,6 +103,12 @@ verdict "... info prints what they take, and pack how far they are off" "$(
     off=$(sed -n 's/^ *"texture_coordinates_off": \([0-9.e-]*\),$/\1/p' square.json)
     awk -v off="$off" 'BEGIN { exit !(off < 1e-6) }' || echo "off by $off in corners"
     [ "$(sed -n 's/^ *"colours_off": \(.*\),$/\1/p' square.json)" = 0 ] || cat square.json)"
+works "... page by page" pack square.obj -o paged.plt --normals keep --colours keep \
+    --texcoords keep --surface pages --json square.json
+verdict "... in no table, as far off" "$(
+    [ "$(number page_bytes paged.plt)" -gt 0 ] || echo "no pages"
+    [ "$(number texcoord_bytes paged.plt)" = 0 ] || echo "a table"
+    grep -q '^  "texture_coordinates_off": ' square.json || cat square.json)"
 works "... finer ones" pack square.obj -o fine.plt --normals keep --colours keep --texcoords fine
 verdict "... take more" "$([ "$(number texcoord_bytes fine.plt)" -gt 128 ] ||
     "$PLANELET" info fine.plt)"

@@ -1,14 +1,17 @@
-/* test_pages - normals and colours page by page, of scenes that are resident and that are streamed
+/* test_pages - normals, colours and texture coordinates page by page, of scenes that are resident
+ * and that are streamed
  *
- * Frames are compared with those of the same scene with tables. Every transfer fails once, and
- * every page is damaged once.
+ * Frames, which have textures, are compared with those of the same scene with tables. Every
+ * transfer fails once, and every page is damaged once.
  *
  * SPDX-License-Identifier: MIT */
 #include <inttypes.h>
 
 #include "engine/surface/surface_pages.h"
+#include "engine/texture/directory.h"
 #include "host_tools/pack/material_section.h"
 #include "host_tools/pack/surface_pages.h"
+#include "host_tools/pack/texture_section.h"
 #include "tests/hostile/mutations.h"
 #include "tests/hostile/surface.h"
 #include "tests/reference/frames.h"
@@ -46,6 +49,42 @@ static void make_mesh(lit_scene *s, mesh_corners *c) {
     lit_scene_is(s, LIT_PAINT);
     CHECK(mesh_smooth(&s->m, 40, c) == 0, "no memory");
     surface_rig_colour(&s->m, c, 4);
+    surface_rig_unwrap(&s->m, c, 3.0f);
+}
+
+/* Two pictures for all materials. */
+static void add_textures(packed *image) {
+    static const texture_paint paint[LIT_MATERIALS] = {{1, 0, {1, 1}, {0, 0}},
+                                                       {2, 0, {1, 1}, {0, 0}},
+                                                       {2, 1, {0.5f, 1}, {0, 0.25f}},
+                                                       {1, 0, {2, 3}, {0, 0}},
+                                                       {0, 0, {1, 1}, {0, 0}}};
+    picture p[2];
+    texture_stats stats;
+    fail f = {""};
+    for (unsigned i = 0; i < 2; i++) {
+        CHECK(picture_make(&p[i], 40, 24 + 9 * i, &f) == 0, "%s", f.text);
+        for (unsigned k = 0; k < 3 * 40 * (24 + 9 * i); k++) {
+            p[i].rgb[k] = (uint8_t)(k * (7 + i) % 211 + 40);
+        }
+    }
+    const texture_set set = {p, 2, paint, LIT_MATERIALS, PLT_TEXTURE_RGB565};
+    CHECK(texture_section_add(image, &set, "test", &stats, &f) == 0, "%s", f.text);
+    picture_free(&p[0]);
+    picture_free(&p[1]);
+}
+
+/* u and v are. */
+enum { EXCHANGED = 8 };
+
+/* Bits of surface_pages.h. What is left out is still owned by `c`. */
+static mesh_corners some_of(const mesh_corners *c, unsigned what) {
+    mesh_corners some = *c;
+    some.normal = what & PLT_PAGES_NORMALS ? c->normal : NULL;
+    some.colour = what & PLT_PAGES_COLOURS ? c->colour : NULL;
+    some.texcoord[0] = what & PLT_PAGES_TEXCOORDS ? c->texcoord[what & EXCHANGED ? 1 : 0] : NULL;
+    some.texcoord[1] = c->texcoord[what & EXCHANGED ? 0 : 1];
+    return some;
 }
 
 /* Thesis nodes, or compact blocks of a lattice. */
@@ -62,23 +101,31 @@ static void pack_tree(packed *image, const lit_scene *s, unsigned kind) {
     CHECK(pack_compact(image, &s->m, &options, "test", &loss, &f) == 0, "%s", f.text);
 }
 
-/* shift 0: tables. */
-static packed image_of(unsigned kind, uint32_t shift) {
+/* What corners have in pages of 2^shift triangles (0: there are none), and in tables. */
+static packed image_with(unsigned kind, uint32_t shift, unsigned paged, unsigned in_tables) {
     lit_scene s;
-    mesh_corners c = {0};
+    mesh_corners c = {0}, of_pages, of_tables;
     surface_stats stats;
     material_stats more;
     fail f = {""};
     packed image = {.size = 0};
     make_mesh(&s, &c);
     pack_tree(&image, &s, kind);
-    const int status = shift > 0 ? surface_pages_add(&image, &c, shift, "test", &stats, &f)
-                                 : surface_add(&image, &c, "test", &stats, &f);
-    CHECK(status == 0, "%s", f.text);
+    of_pages = some_of(&c, paged);
+    of_tables = some_of(&c, in_tables);
+    CHECK(shift == 0 || surface_pages_add(&image, &of_pages, shift, "test", &stats, &f) == 0, "%s",
+          f.text);
+    CHECK(in_tables == 0 || surface_add(&image, &of_tables, "test", &stats, &f) == 0, "%s", f.text);
     CHECK(material_section_add(&image, &s.materials, NULL, "test", &more, &f) == 0, "%s", f.text);
+    add_textures(&image);
     corners_free(&c);
     lit_scene_free(&s);
     return image;
+}
+
+/* shift 0: tables. */
+static packed image_of(unsigned kind, uint32_t shift) {
+    return image_with(kind, shift, PLT_PAGES_ALL, shift > 0 ? 0 : PLT_PAGES_ALL);
 }
 
 /* ---- frames ------------------------------------------------------------------------------ */
@@ -135,6 +182,7 @@ static plt_options options_of(uint8_t residency, uint8_t side, uint32_t store) {
                            .store_bytes = store,
                            .surface = 1,
                            .whitted = 4,
+                           .textures = PLT_TEXTURES_BILINEAR,
                            .count_touched = 1};
     return o;
 }
@@ -201,6 +249,56 @@ static void same_frames(void) {
         }
         pack_free(&tables);
     }
+}
+
+/* Read whole, those of the table; streamed, those of pages, or none. */
+static void either_way(void) {
+    static const struct {
+        unsigned paged, in_tables;
+        int streams; /* coordinates */
+    } images[] = {{PLT_PAGES_ALL, PLT_PAGES_TEXCOORDS | EXCHANGED, 1},
+                  {PLT_PAGES_NORMALS | PLT_PAGES_COLOURS, PLT_PAGES_TEXCOORDS | EXCHANGED, 0},
+                  {PLT_PAGES_ALL, PLT_PAGES_ALL | EXCHANGED, 1}};
+    for (unsigned kind = first_kind(); kind < KINDS; kind++) {
+        uint64_t due[2] = {0, 0}, whole[2] = {0, 0}, bare[2] = {0, 0};
+        packed exchanged = image_with(kind, 0, 0, PLT_PAGES_ALL | EXCHANGED);
+        packed tables = image_of(kind, 0);
+        packed plain = image_with(kind, 0, 0, PLT_PAGES_NORMALS | PLT_PAGES_COLOURS);
+        hashes(&tables, due);
+        hashes(&plain, bare);
+        hashes(&exchanged, whole);
+        CHECK(due[0] != bare[0] && due[1] != bare[1], "textures are not seen");
+        CHECK(due[0] != whole[0] && due[1] != whole[1], "u is v");
+        for (unsigned i = 0; i < sizeof images / sizeof images[0]; i++) {
+            packed image = image_with(kind, SHIFT, images[i].paged, images[i].in_tables);
+            for (unsigned way = 0; way < 4; way++) {
+                const plt_options o = options_of((uint8_t)(way / 2), 2, 0);
+                compare(&image, &o, (int)(way % 2),
+                        way < 2             ? whole
+                        : images[i].streams ? due
+                                            : bare);
+            }
+            pack_free(&image);
+        }
+        pack_free(&tables);
+        pack_free(&plain);
+        pack_free(&exchanged);
+    }
+}
+
+/* Coordinates alone, of packets and beams. */
+static void alone(void) {
+    uint64_t due[2] = {0, 0};
+    const unsigned kind = first_kind();
+    packed tables = image_with(kind, 0, 0, PLT_PAGES_TEXCOORDS);
+    packed image = image_with(kind, SHIFT, PLT_PAGES_TEXCOORDS, 0);
+    hashes(&tables, due);
+    for (unsigned way = 0; way < 4; way++) {
+        const plt_options o = options_of((uint8_t)(way / 2), PLT_PACKET_SIDE_MAX, 0);
+        compare(&image, &o, (int)(way % 2), due);
+    }
+    pack_free(&tables);
+    pack_free(&image);
 }
 
 /* Hits of a resident scene, found by their number. */
@@ -452,27 +550,44 @@ static plt_fault refusal(const packed *image, const unsigned char *bytes, uint8_
     return o.fault;
 }
 
-static void heads(void) {
-    static const uint32_t wrong[][2] = {{0, 0},   {0, 4},  {4, 5},  {4, 13}, {8, 0},
-                                        {8, 256}, {12, 7}, {16, 1}, {60, 1}, {64, 9}};
-    packed image = image_of(1, SHIFT);
-    const pages_at p = find_pages(image.bytes);
-    for (unsigned i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+/* A place of what pages begin with, and the word there. */
+typedef struct wrong_word {
+    uint32_t at, is;
+} wrong_word;
+
+static void refuse_heads(packed *image, const wrong_word *wrong, unsigned count) {
+    const pages_at p = find_pages(image->bytes);
+    for (unsigned i = 0; i < count; i++) {
         for (uint8_t residency = 0; residency < 2; residency++) {
-            unsigned char *bytes = hostile_copy(image.bytes, image.size);
+            unsigned char *bytes = hostile_copy(image->bytes, image->size);
             unsigned char *head = bytes + p.at;
-            plt_put_u32(head + wrong[i][0], wrong[i][1]);
-            if (wrong[i][0] != 12 && wrong[i][0] != 64) {
+            plt_put_u32(head + wrong[i].at, wrong[i].is);
+            if (wrong[i].at != 12 && wrong[i].at != 64) {
                 plt_put_u32(head + 12, plt_pages_head_check(head, p.chunks - p.at));
             }
-            hostile_seal_surface(bytes, image.size);
-            const plt_fault f = refusal(&image, bytes, residency);
+            hostile_seal_surface(bytes, image->size);
+            const plt_fault f = refusal(image, bytes, residency);
             CHECK(f.kind == 'R' && f.rule == 21 && f.offset == p.at, "%u: rule %u at %u", i, f.rule,
                   f.offset);
             free(bytes);
         }
     }
-    pack_free(&image);
+    pack_free(image);
+}
+
+static void heads(void) {
+    static const wrong_word all[] = {{0, 0}, {0, 3},   {0, 4},  {0, 8},  {0, 15}, {4, 5}, {4, 13},
+                                     {8, 0}, {8, 256}, {12, 7}, {40, 1}, {60, 1}, {64, 9}};
+    static const wrong_word steps[] = {{16, 1},          {16, 17},         {20, 1},
+                                       {20, 17},         {24, 0x7FC00000}, {28, 0xC9800001},
+                                       {32, 0xBF800000}, {36, 0x49800000}};
+    static const wrong_word without[] = {{0, 7}, {16, 1}, {24, 1}, {36, 1}, {60, 1}};
+    packed image = image_of(1, SHIFT);
+    refuse_heads(&image, all, sizeof all / sizeof all[0]);
+    image = image_of(1, SHIFT);
+    refuse_heads(&image, steps, sizeof steps / sizeof steps[0]);
+    image = image_with(1, SHIFT, PLT_PAGES_NORMALS | PLT_PAGES_COLOURS, 0);
+    refuse_heads(&image, without, sizeof without / sizeof without[0]);
 }
 
 /* Read whole: the CRC, and whoever made that right, too. */
@@ -519,18 +634,21 @@ static void refused_options(void) {
     pack_free(&tables);
 }
 
-/* Textures, which they cannot show, take no room and are not read. */
-static void no_textures(void) {
-    packed image = image_of(first_kind(), SHIFT);
-    plt_options options = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
-    options.whitted = 0;
-    options.textures = 0;
-    image.info.texture_bytes = 4096;
-    image.info.material_bytes = 4096;
-    const size_t need = plt_arena_need(&image.info, 0, &options);
-    options.textures = PLT_TEXTURES_BILINEAR;
-    CHECK(need > 0 && plt_arena_need(&image.info, 0, &options) == need, "more than %zu", need);
-    pack_free(&image);
+/* Where coordinates are in a table, or nowhere, textures take no room and are not read. */
+static void room_of_textures(void) {
+    packed image[2] = {image_of(first_kind(), SHIFT),
+                       image_with(first_kind(), 0, 0, PLT_PAGES_TEXCOORDS)};
+    for (int i = 0; i < 2; i++) {
+        plt_options options = options_of(PLT_RESIDENCY_STREAMED, 2, 0);
+        options.whitted = 0;
+        options.textures = 0;
+        const size_t without = plt_arena_need(&image[i].info, 0, &options);
+        options.textures = PLT_TEXTURES_BILINEAR;
+        const size_t with = plt_arena_need(&image[i].info, 0, &options);
+        CHECK(without > 0 && (i == 0 ? with > without + 64 * PLT_TEXTURE_LEAST : with == without),
+              "%zu bytes, without textures %zu", with, without);
+        pack_free(&image[i]);
+    }
 }
 
 /* Whatever is there: refused with a place, or rendered. */
@@ -546,6 +664,9 @@ static void mutations(void) {
             const uint32_t span = i % 3 == 0 ? p.first - p.at : p.bytes;
             mutate_at(bytes, image.size, p.at + random_below(&r, span), &r);
             unsigned char *head = bytes + p.at;
+            if (i % 5 == 0) {
+                hostile_seal_paged(bytes, image.size);
+            }
             plt_put_u32(head + 12, plt_pages_head_check(head, p.chunks - p.at));
             for (uint32_t c = 0; c < (p.first - p.chunks) / PLT_PAGES_CHUNK; c++) {
                 unsigned char *chunk = bytes + p.chunks + c * PLT_PAGES_CHUNK;
@@ -581,6 +702,9 @@ int main(void) {
         test("... with several samples, also behind a frame that a damaged page has ended");
         samples();
     }
+    test("texture coordinates may be in pages, in a table, or in both, and be alone");
+    either_way();
+    alone();
     test("points of hits are those by tables");
     same_points();
     test("a transfer that fails once is asked for again, that of a page, too");
@@ -595,8 +719,8 @@ int main(void) {
     resident_damage();
     test("tables are not streamed, pages not of grids, and not of many packets at a time");
     refused_options();
-    test("textures take no room where scenes are streamed");
-    no_textures();
+    test("textures take no room where scenes are streamed and their coordinates are not");
+    room_of_textures();
     test("whatever pages hold, they are refused with a place, or frames are rendered");
     mutations();
     return test_done();

@@ -37,7 +37,7 @@ static uint64_t hash_of(const texture_scene *s, const plt_options *options, int 
     return hash;
 }
 
-enum { KINDS = 3 };
+enum { KINDS = 4, PAGED = 3 };
 
 static uint64_t by_all_ways(const texture_scene s[KINDS], uint8_t filter) {
     uint64_t first = 0;
@@ -45,6 +45,7 @@ static uint64_t by_all_ways(const texture_scene s[KINDS], uint8_t filter) {
         const unsigned way = i / KINDS;
         plt_options o = textured;
         plt_texture_stats stats = {0};
+        o.residency = i % KINDS == PAGED ? PLT_RESIDENCY_STREAMED : PLT_RESIDENCY_WHOLE;
         o.packet_side = way % 2 && !rig_is_tiny() ? 8 : 2;
         o.textures = filter;
         o.texture_bytes = way == 3 ? PLT_TEXTURE_LEAST : 0;
@@ -58,14 +59,16 @@ static uint64_t by_all_ways(const texture_scene s[KINDS], uint8_t filter) {
 }
 
 static void same(void) {
-    static const enum lit_image kinds[KINDS] = {LIT_THESIS, LIT_LIST, LIT_COMPACT};
+    static const enum lit_image kinds[KINDS] = {LIT_THESIS, LIT_LIST, LIT_COMPACT, LIT_THESIS};
     static const uint64_t golden[2] = {UINT64_C(0xDE7B9E7DDC06E14A), UINT64_C(0xAFDAA5C0C00D2C3C)};
     test(
-        "frames are the same from a tree, a list and blocks, mapped or fetched, by any packet, "
+        "frames are the same from a tree, streamed or not, a list and blocks, mapped or fetched, "
+        "by any packet, "
         "and what they were on other machines");
     texture_scene s[KINDS];
     for (unsigned i = 0; i < KINDS; i++) {
-        texture_scene_make_as(&s[i], PLT_TEXTURE_RGB565, 4, kinds[i]);
+        texture_scene_make_as(&s[i], PLT_TEXTURE_RGB565, 4, kinds[i],
+                              i == PAGED ? TEXTURE_PAGES : TEXTURE_TABLE);
     }
     for (unsigned i = 0; i < 2; i++) {
         const uint64_t hash = by_all_ways(s, (uint8_t)(PLT_TEXTURES_NEAREST + i));

@@ -41,7 +41,7 @@ static uint64_t hash_of(const texture_scene *s, const plt_options *options, int 
 
 /* ---- all ways ------------------------------------------------------------------------ */
 
-enum { KINDS = 3 };
+enum { KINDS = 4, PAGED = 3 };
 
 static uint64_t by_all_ways(const texture_scene s[KINDS], uint8_t filter, uint8_t samples) {
     plt_frame f = frame;
@@ -51,6 +51,7 @@ static uint64_t by_all_ways(const texture_scene s[KINDS], uint8_t filter, uint8_
         const unsigned way = i / KINDS;
         plt_options o = textured;
         plt_texture_stats stats = {0};
+        o.residency = i % KINDS == PAGED ? PLT_RESIDENCY_STREAMED : PLT_RESIDENCY_WHOLE;
         o.packet_side = samples > 1 ? 4 : 2;
         o.packet_side = way % 2 && !rig_is_tiny() ? 8 : o.packet_side;
         o.textures = filter;
@@ -67,7 +68,7 @@ static uint64_t by_all_ways(const texture_scene s[KINDS], uint8_t filter, uint8_
 }
 
 static void same(void) {
-    static const enum lit_image kinds[KINDS] = {LIT_THESIS, LIT_LIST, LIT_COMPACT};
+    static const enum lit_image kinds[KINDS] = {LIT_THESIS, LIT_LIST, LIT_COMPACT, LIT_THESIS};
     static const struct {
         uint8_t filter, samples;
         uint64_t hash;
@@ -77,10 +78,12 @@ static void same(void) {
                    {PLT_TEXTURES_BILINEAR, PLT_SAMPLES_ADAPTIVE, UINT64_C(0x4A248BBD38AA38C2)}};
     texture_scene s[KINDS];
     test(
-        "frames are the same from a tree, a list and blocks, mapped or fetched, by any packet, "
+        "frames are the same from a tree, streamed or not, a list and blocks, mapped or fetched, "
+        "by any packet, "
         "with lights or without, and what they were on other machines");
     for (unsigned i = 0; i < KINDS; i++) {
-        texture_scene_make_as(&s[i], PLT_TEXTURE_RGB565, 4, kinds[i]);
+        texture_scene_make_as(&s[i], PLT_TEXTURE_RGB565, 4, kinds[i],
+                              i == PAGED ? TEXTURE_PAGES : TEXTURE_TABLE);
     }
     for (unsigned i = 0; i < 4; i++) {
         if (golden[i].samples == 1 || PLT_PACKET_SIDE_MAX >= 4) {

@@ -1,4 +1,5 @@
-/* fuzz_surface - a libFuzzer target: any bytes as an image with normals and colours
+/* fuzz_surface - a libFuzzer target: any bytes as an image with normals and colours,
+ * in tables or in pages
  *
  *   clang -g -O1 -fsanitize=fuzzer,address,undefined -I. \
  *       tests/fuzz/fuzz_surface.c $(find engine -name "*.c")
@@ -12,7 +13,7 @@
 #include "tests/hostile/surface.h"
 
 static void seal_image(unsigned char *bytes, uint32_t size) {
-    hostile_seal_surface(bytes, size);
+    hostile_seal_paged(bytes, size);
 }
 
 static hostile_result try_image(const unsigned char *bytes, uint32_t size, uint8_t first) {

@@ -7,6 +7,7 @@
 #ifndef HOSTILE_SURFACE_H
 #define HOSTILE_SURFACE_H
 
+#include "engine/surface/surface_pages.h"
 #include "tests/hostile/images.h"
 #include "tests/reference/room.h"
 
@@ -18,6 +19,32 @@ static inline uint32_t hostile_further_at(const unsigned char *bytes) {
     const unsigned char *last =
         bytes + HOSTILE_SECTION + 16 * (sections >= 1 && sections <= 4 ? sections - 1 : 0);
     return plt_get_u32(last + 4) + plt_get_u32(last + 8);
+}
+
+/* Makes the checks of pages right, and of where they are, as far as they lie in their section of
+ * `bytes`. */
+static inline void hostile_seal_pages(unsigned char *section, uint32_t bytes, uint32_t triangles) {
+    const uint32_t shift = bytes >= PLT_PAGES_HEAD ? plt_get_u32(section + 4) : 0;
+    const uint32_t palette = bytes >= PLT_PAGES_HEAD ? plt_get_u32(section + 8) : 0;
+    if (bytes < PLT_PAGES_HEAD || shift > 31 || palette > (bytes - PLT_PAGES_HEAD) / 4) {
+        return;
+    }
+    const uint32_t chunks = PLT_PAGES_HEAD + 4 * palette;
+    const uint64_t pages = ((uint64_t)triangles + (1u << shift) - 1) >> shift;
+    plt_put_u32(section + 12, plt_pages_head_check(section, chunks));
+    for (uint32_t i = 0; i < pages; i++) {
+        const uint32_t number = i / PLT_PAGES_IN_CHUNK;
+        const uint64_t at = chunks + (uint64_t)PLT_PAGES_CHUNK * number;
+        if (at + PLT_PAGES_CHUNK > bytes) {
+            return;
+        }
+        unsigned char *chunk = section + at;
+        const uint32_t begin = plt_pages_offset(chunk, i), end = plt_pages_end(chunk, i);
+        plt_put_u32(chunk, plt_pages_check(number, chunk + 4, PLT_PAGES_CHUNK - 4));
+        if (begin < end && end <= bytes && end - begin >= 4) {
+            plt_put_u32(section + begin, plt_pages_check(i, section + begin + 4, end - begin - 4));
+        }
+    }
 }
 
 /* Makes the CRCs of further sections and their table right, and all others. */
@@ -39,6 +66,20 @@ static inline void hostile_seal_surface(unsigned char *bytes, uint32_t size) {
         }
     }
     plt_put_u32(bytes + at, plt_crc32(0, bytes + at + 4, table - 4));
+}
+
+/* ... and those of pages, which tell damage in a page from pages that someone has made so. */
+static inline void hostile_seal_paged(unsigned char *bytes, uint32_t size) {
+    const uint32_t at = size >= HOSTILE_HEADER ? hostile_further_at(bytes) : size;
+    for (uint32_t i = 0; i < HOSTILE_FURTHER_MOST && at < size && size - at >= 32 + 16 * i; i++) {
+        const unsigned char *entry = bytes + at + 16 + 16 * i;
+        const uint32_t offset = plt_get_u32(entry + 4), bytes_of = plt_get_u32(entry + 8);
+        if (plt_get_u32(entry) == PLT_SECTION_PAGES && offset <= size &&
+            bytes_of <= size - offset) {
+            hostile_seal_pages(bytes + offset, bytes_of, plt_get_u32(bytes + 24));
+        }
+    }
+    hostile_seal_surface(bytes, size);
 }
 
 static inline int hostile_is_unit(const float v[3]) {

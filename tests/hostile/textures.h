@@ -1,4 +1,5 @@
-/* textures - opens untrusted images with textures, samples them, and renders a frame
+/* textures - opens untrusted images with textures, samples them, and renders a frame, with lights
+ * or by eye light alone, of a scene that is resident or streamed
  *
  * As hostile/images.h has it of others.
  *
@@ -37,16 +38,17 @@ static inline const char *hostile_sample(plt_textures *t) {
 }
 
 static inline const char *hostile_render_textures(plt_engine *e) {
+    const int is_lit = e->rendering.whitted != NULL;
     const plt_lighting l = {.sky = {1, 1, 1}, .bounces = 1};
     const plt_frame frame = {.camera = {{3, 4, 9}, {0, 0, 0}, {0, 1, 0}, 0.5f},
                              .width = 12,
                              .height = 12,
-                             .shader = PLT_SHADE_WHITTED};
-    plt_textures *t = e->rendering.whitted->textures;
+                             .shader = is_lit ? PLT_SHADE_WHITTED : PLT_SHADE_SMOOTH};
+    plt_textures *t = e->rendering.paint.textures;
     const char *sentence = t != NULL ? hostile_sample(t) : NULL;
     plt_fault fault;
     if (sentence == NULL &&
-        (plt_lighting_set(e, &l) != PLT_OK || plt_render_begin(e, &frame) != PLT_OK)) {
+        ((is_lit && plt_lighting_set(e, &l) != PLT_OK) || plt_render_begin(e, &frame) != PLT_OK)) {
         return "a frame with textures is refused";
     }
     int status = PLT_OK;
@@ -54,21 +56,33 @@ static inline const char *hostile_render_textures(plt_engine *e) {
         status = plt_render_step(e, 1000);
     } while (sentence == NULL && status > PLT_OK);
     plt_fault_get(e, &fault);
-    return sentence == NULL && status < PLT_OK && fault.rule != 30 ? "a frame ends without a reason"
-                                                                   : sentence;
+    const int is_streamed = e->options.residency == PLT_RESIDENCY_STREAMED;
+    const int has_reason = is_streamed ? fault.rule > 0 : fault.rule == 30;
+    return sentence == NULL && status < PLT_OK && !(status == PLT_ERR_IMAGE && has_reason)
+               ? "a frame ends without a reason"
+               : sentence;
 }
+
+/* How an image is tried. */
+typedef struct hostile_textured {
+    int fetched; /* through a source that is not mapped */
+    int lit;
+    uint8_t residency, filter; /* as plt_options has them */
+} hostile_textured;
 
 /* hostile_try, of an engine that is asked for textures. */
 static inline hostile_result hostile_try_textures(const unsigned char *bytes, uint32_t size,
-                                                  int streamed, uint8_t filter) {
+                                                  hostile_textured how) {
     hostile_result r = {0, {0, 0, 0, 0, NULL}, NULL};
     unsigned char *copy = room_get(size > 0 ? size : 1);
     hostile_stream stream = {copy, size, 0};
-    const plt_source source = {streamed ? NULL : copy, size, &stream, hostile_start, hostile_wait};
+    const plt_source source = {how.fetched ? NULL : copy, size, &stream, hostile_start,
+                               hostile_wait};
     const plt_options options = {.packet_side = 2,
                                  .surface = 1,
-                                 .whitted = 2,
-                                 .textures = filter,
+                                 .residency = how.residency,
+                                 .whitted = how.lit ? 2 : 0,
+                                 .textures = how.filter,
                                  .texture_bytes = HOSTILE_TEXTURE_ROOM};
     memcpy(copy, bytes, size);
     const size_t arena_bytes = hostile_arena_bytes(&source, &options);

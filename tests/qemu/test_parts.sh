@@ -401,6 +401,26 @@ texture=$BUILD/mps2_an386-frames-render-surface-texcoords-texture-thesis
 if part "render thesis frames surface texcoords texture"; then
     smooth_texture "$texture"
 fi
+# ... of a scene that stays in its source, and is mapped.
+words='render compact frames stream surface texcoords texture'
+texture=$(folder_of "$words")
+"$planelet" pack "$out/checks.obj" --materials keep --nodes compact --surface pages \
+    -o "$out/checks_pages.plt" >/dev/null 2>&1
+if part "$words"; then
+    view=$(sh board/tools/host_view.sh "$out/checks_pages.plt" 80x60 "$out/host.ppm" \
+        --shader smooth)
+    for way in "" "file residency=streamed" "file residency=streamed arena=65536"; do
+        source=${way%% *}
+        [ -n "$way" ] || source=
+        # shellcheck disable=SC2086
+        text=$(FIRMWARE=$texture SOURCE=$source sh board/mps2_an386/run.sh \
+            "$out/checks_pages.plt" size=80x60 shader=smooth packet=4 ${way#"$source"} \
+            ${view#* } 2>&1)
+        verdict "textures by pages, ${way:-resident}: the frame of the host" "$(
+            [ -n "$(value frame_hash)" ] && [ "$(value frame_hash)" = "${view%% *}" ] ||
+                echo "$text")"
+    done
+fi
 trouble=$($MAKE -s BOARD=mps2_an386 PARTS='render thesis surface texture' 2>&1)
 verdict "PARTS with texture and without texcoords is refused, with what it may be" "$(
     echo "$trouble" | grep -q "PARTS with texture has .*: make PARTS='" || echo "$trouble")"

@@ -74,9 +74,12 @@ int lit_pack(packed *image, const lit_scene *s, enum lit_image kind) {
     material_stats stats;
     int status;
     memset(image, 0, sizeof *image);
-    if (kind == LIT_COMPACT) {
-        const compact_options options = {
-            .lattice_bits = 14, .numbers = 1, .floats = 1, .leaf_triangles = 2};
+    if (kind == LIT_COMPACT || kind == LIT_LATTICE) {
+        const compact_options options = {.lattice_bits = 14,
+                                         .numbers = 1,
+                                         .floats = kind == LIT_COMPACT,
+                                         .leaf_triangles = 2,
+                                         .meshes = kind == LIT_LATTICE};
         lattice_loss loss;
         status = pack_compact(image, &s->m, &options, "test", &loss, &f);
     } else {

@@ -15,7 +15,14 @@ typedef struct lit_scene {
     mesh_materials materials;
 } lit_scene;
 
-enum lit_image { LIT_THESIS, LIT_LIST, LIT_DEVICE, LIT_COMPACT, LIT_IMAGES };
+enum lit_image {
+    LIT_THESIS,
+    LIT_LIST,
+    LIT_DEVICE,
+    LIT_COMPACT, /* float records: corners are where those of the others are */
+    LIT_IMAGES,
+    LIT_LATTICE = LIT_IMAGES /* blocks that can be streamed, with corners a little elsewhere */
+};
 
 /* A floor of y = 0, and a ball each of the others over it. */
 void lit_scene_make(lit_scene *s);

@@ -8,6 +8,7 @@
 
 #include "engine/image/further.h"
 #include "host_tools/pack/material_section.h"
+#include "host_tools/pack/surface_pages.h"
 #include "tests/reference/surface_rig.h"
 #include "tests/test.h"
 
@@ -40,20 +41,23 @@ static void find_sections(texture_scene *s) {
     s->tile_bytes = tiles->bytes;
 }
 
-static void add_coordinates(texture_scene *s) {
+static void add_coordinates(texture_scene *s, uint32_t shift) {
     mesh_corners c = {0};
     surface_stats stats;
     fail f = {""};
     surface_rig_unwrap(&s->lit.m, &c, 2.0f);
-    CHECK(surface_add(&s->image, &c, "test", &stats, &f) == 0, "%s", f.text);
+    const int status = shift > 0 ? surface_pages_add(&s->image, &c, shift, "test", &stats, &f)
+                                 : surface_add(&s->image, &c, "test", &stats, &f);
+    CHECK(status == 0, "%s", f.text);
     corners_free(&c);
 }
 
 void texture_scene_make(texture_scene *s, uint8_t format, uint32_t seed) {
-    texture_scene_make_as(s, format, seed, LIT_LIST);
+    texture_scene_make_as(s, format, seed, LIT_LIST, TEXTURE_TABLE);
 }
 
-void texture_scene_make_as(texture_scene *s, uint8_t format, uint32_t seed, enum lit_image kind) {
+void texture_scene_make_as(texture_scene *s, uint8_t format, uint32_t seed, enum lit_image kind,
+                           uint32_t shift) {
     static const unsigned sides[TEXTURE_PICTURES][2] = {{64, 64}, {1, 1},  {70, 33},
                                                         {5, 17},  {16, 1}, {31, 64}};
     random_state r = {seed};
@@ -61,7 +65,7 @@ void texture_scene_make_as(texture_scene *s, uint8_t format, uint32_t seed, enum
     memset(s, 0, sizeof *s);
     lit_scene_make(&s->lit);
     CHECK(lit_pack(&s->image, &s->lit, kind) == 0, "packed");
-    add_coordinates(s);
+    add_coordinates(s, shift);
     for (unsigned i = 0; i < TEXTURE_PICTURES; i++) {
         paint(&s->picture[i], sides[i][0], sides[i][1], i % 2 == 0, &r);
         s->paint[i] = (texture_paint){.texture = 1 + i, .clamp = i % 3 == 1, .scale = {1, 1}};

@@ -24,8 +24,11 @@ typedef struct texture_scene {
 } texture_scene;
 
 /* All of one format. Materials 0 to 5 have pictures 0 to 5, with clamp, scale and offset of some.
- * An image of that kind, or a list of triangles. */
-void texture_scene_make_as(texture_scene *s, uint8_t format, uint32_t seed, enum lit_image kind);
+ * An image of that kind, or a list of triangles; coordinates in pages of 2^shift triangles, or in a
+ * table. */
+enum { TEXTURE_TABLE = 0, TEXTURE_PAGES = 6 };
+void texture_scene_make_as(texture_scene *s, uint8_t format, uint32_t seed, enum lit_image kind,
+                           uint32_t shift);
 void texture_scene_make(texture_scene *s, uint8_t format, uint32_t seed);
 void texture_scene_free(texture_scene *s);
 
