@@ -13,11 +13,11 @@
 
 #if PLT_WITH_SUBTREES
 /* The records, nodes and scratch of one subtree, then what is kept of all. */
-static void start_subtrees(plt_engine *e, const plt_info *sized, unsigned char *part) {
+static void start_subtrees(plt_engine *e, uint32_t most_nodes, unsigned char *part) {
     plt_rebuild *r = &e->moving.rebuild;
     const plt_info *info = &e->scene.info;
     const uint32_t most = e->options.rebuild_most;
-    const uint32_t room = plt_subtree_room(info->triangles, sized->nodes, most);
+    const uint32_t room = plt_subtree_room(info->triangles, most_nodes, most);
     const uint32_t triangles = plt_subtree_triangles(info->triangles, most);
     unsigned char *nodes = part + plt_arena_cut_bytes((size_t)triangles * PLT_RECORD_BYTES);
     unsigned char *scratch = nodes + (size_t)room * PLT_NODE_BYTES;
@@ -33,7 +33,7 @@ static void start_subtrees(plt_engine *e, const plt_info *sized, unsigned char *
 
 #if PLT_WITH_REBUILD
 /* The records, nodes and scratch of a second tree, or of a part of one. */
-static void start_rebuilds(plt_engine *e, const plt_opening *o, const plt_info *sized,
+static void start_rebuilds(plt_engine *e, const plt_opening *o, uint32_t most_nodes,
                            void *const part[PLT_PARTS_COUNT]) {
     plt_rebuild *r = &e->moving.rebuild;
     r->refit.levels = e->moving.levels;
@@ -42,11 +42,11 @@ static void start_rebuilds(plt_engine *e, const plt_opening *o, const plt_info *
 #endif
 #if PLT_WITH_SUBTREES
     if (o->layout->bytes[PLT_PART_REBUILD] > 0 && e->options.rebuild_most > 0) {
-        start_subtrees(e, sized, part[PLT_PART_REBUILD]);
+        start_subtrees(e, most_nodes, part[PLT_PART_REBUILD]);
         return;
     }
 #else
-    (void)sized;
+    (void)most_nodes;
 #endif
     if (o->layout->bytes[PLT_PART_REBUILD] > 0) {
         const size_t records =
@@ -98,7 +98,7 @@ static int start_blocks(plt_engine *e, const plt_opening *o, void *const part[PL
 
 #if PLT_WITH_THESIS
 /* What a refit needs, and how good the tree is at first. */
-static int start_records(plt_engine *e, const plt_opening *o, const plt_info *sized,
+static int start_records(plt_engine *e, const plt_opening *o, uint32_t most_nodes,
                          void *const part[PLT_PARTS_COUNT]) {
     plt_moving *m = &e->moving;
     int status = PLT_OK;
@@ -110,16 +110,16 @@ static int start_records(plt_engine *e, const plt_opening *o, const plt_info *si
     status = start_some(e, o, part);
 #endif
 #if PLT_WITH_REBUILD
-    start_rebuilds(e, o, sized, part);
+    start_rebuilds(e, o, most_nodes, part);
 #endif
     (void)o;
-    (void)sized;
+    (void)most_nodes;
     plt_refit_all(e);
     return status;
 }
 #endif
 
-int plt_motion_room_set(plt_engine *e, const plt_opening *o, const plt_info *sized,
+int plt_motion_room_set(plt_engine *e, const plt_opening *o, uint32_t most_nodes,
                         void *const part[PLT_PARTS_COUNT]) {
     if (!e->options.movable) {
         return PLT_OK;
@@ -130,9 +130,9 @@ int plt_motion_room_set(plt_engine *e, const plt_opening *o, const plt_info *siz
     }
 #endif
 #if PLT_WITH_THESIS
-    return plt_is_over_vertices(e) ? PLT_OK : start_records(e, o, sized, part);
+    return plt_is_over_vertices(e) ? PLT_OK : start_records(e, o, most_nodes, part);
 #else
-    (void)sized;
+    (void)most_nodes;
     return PLT_OK;
 #endif
 }

@@ -8,17 +8,17 @@
 
 #if PLT_WITH_MOTION
 /* Once all that runs was cut: what refits, moves of some triangles and rebuilds need, and where the
- * image's triangles are. `sized`: the tree that the arena has room for. PLT_ERR_ARGUMENT: two
+ * image's triangles are. `most_nodes`: of a tree that the arena has room for. PLT_ERR_ARGUMENT: two
  * triangles have one id, and some are to be moved. PLT_ERR_IMAGE: blocks that move have other
  * vertices than the header says. */
-int plt_motion_room_set(plt_engine *e, const plt_opening *o, const plt_info *sized,
+int plt_motion_room_set(plt_engine *e, const plt_opening *o, uint32_t most_nodes,
                         void *const part[PLT_PARTS_COUNT]);
 #else
-static inline int plt_motion_room_set(plt_engine *e, const plt_opening *o, const plt_info *sized,
+static inline int plt_motion_room_set(plt_engine *e, const plt_opening *o, uint32_t most_nodes,
                                       void *const part[PLT_PARTS_COUNT]) {
     (void)e;
     (void)o;
-    (void)sized;
+    (void)most_nodes;
     (void)part;
     return PLT_OK;
 }

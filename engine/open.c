@@ -101,7 +101,8 @@ static plt_info sized_for(const plt_engine *e) {
 #if PLT_WITH_WAVE
 /* Makes the wide form, with the wave's room for scratch; then both take just what they need,
  * which is known only now. They were cut last. */
-static int make_wide_form(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
+PLT_APART_ON_SMALL_STACKS static int make_wide_form(plt_engine *e, const plt_opening *o,
+                                                    void *const part[PLT_PARTS_COUNT]) {
     const size_t room = o->layout->bytes[PLT_PART_WIDE_FORM] + o->layout->bytes[PLT_PART_WAVE];
     size_t form_bytes = 0;
     e->scene.bvh4 =
@@ -119,16 +120,19 @@ static int make_wide_form(plt_engine *e, const plt_opening *o, void *const part[
     return PLT_OK;
 }
 
-PLT_APART_ON_SMALL_STACKS static int start_wave(plt_engine *e, const plt_opening *o,
-                                                void *const part[PLT_PARTS_COUNT]) {
+PLT_APART_ON_SMALL_STACKS static void start_own_wave(plt_engine *e, void *memory) {
+    e->traversal.wave = memory;
+    plt_wave_init(memory, e->options.rays_in_flight,
+                  plt_wave_tree_of((enum plt_format)e->scene.format),
+                  sized_for(e).depth_stack_entries);
+}
+
+static int start_wave(plt_engine *e, const plt_opening *o, void *const part[PLT_PARTS_COUNT]) {
     if (o->layout->bytes[PLT_PART_WIDE_FORM] > 0) {
         return make_wide_form(e, o, part);
     }
     if (o->layout->bytes[PLT_PART_WAVE] > 0) {
-        e->traversal.wave = part[PLT_PART_WAVE];
-        plt_wave_init(e->traversal.wave, e->options.rays_in_flight,
-                      plt_wave_tree_of((enum plt_format)e->scene.format),
-                      sized_for(e).depth_stack_entries);
+        start_own_wave(e, part[PLT_PART_WAVE]);
     }
     return PLT_OK;
 }
@@ -267,10 +271,9 @@ static void start_tasks(plt_engine *e, void *const part[PLT_PARTS_COUNT]) {
 #endif
 }
 
-PLT_APART_ON_SMALL_STACKS static int start_motion(plt_engine *e, const plt_opening *o,
-                                                  void *const part[PLT_PARTS_COUNT]) {
-    const plt_info sized = sized_for(e);
-    return plt_motion_room_set(e, o, &sized, part);
+/* Nodes of a tree that all that runs is sized for. */
+PLT_APART_ON_SMALL_STACKS static uint32_t most_nodes(const plt_engine *e) {
+    return sized_for(e).nodes;
 }
 
 /* The scene is open: a traversal, a packet and a tile buffer over it. `header`: of an image that
@@ -303,7 +306,7 @@ PLT_APART_ON_SMALL_STACKS static int start_worker(plt_engine *e, const plt_heade
         status = plt_texture_room_set(e, header, part, fault);
     }
     if (status == PLT_OK) {
-        status = start_motion(e, &o, part);
+        status = plt_motion_room_set(e, &o, most_nodes(e), part);
     }
     if (status == PLT_OK) {
         status = plt_instances_room_set(e, header, part, fault);
@@ -390,7 +393,8 @@ static int fits(const plt_info *info, int mapped, const plt_options *o, size_t a
 }
 
 /* With records, or without, as there is room; if there is for neither, whichever takes less. */
-static void choose_records(plt_options *o, const plt_info *info, int mapped, size_t arena_bytes) {
+PLT_APART_ON_SMALL_STACKS static void choose_records(plt_options *o, const plt_info *info,
+                                                     int mapped, size_t arena_bytes) {
     plt_options with = *o, without = *o;
     with.records = PLT_RECORDS_ALWAYS;
     without.records = PLT_RECORDS_NEVER;
@@ -404,7 +408,24 @@ static void choose_records(plt_options *o, const plt_info *info, int mapped, siz
         o->beside = (uint8_t)fits(info, mapped, &without, arena_bytes);
     }
 }
+#else
+static void choose_records(const plt_options *o, const plt_info *info, int mapped,
+                           size_t arena_bytes) {
+    (void)o;
+    (void)info;
+    (void)mapped;
+    (void)arena_bytes;
+}
 #endif
+
+/* Not even for an engine. */
+PLT_APART_ON_SMALL_STACKS static int no_room(const plt_info *info, const plt_source *source,
+                                             const plt_options *options, size_t arena_bytes,
+                                             plt_fault *fault) {
+    plt_options chosen = *options;
+    choose_records(&chosen, info, source->mapped != NULL, arena_bytes);
+    return plt_arena_short(fault, plt_arena_need(info, source->mapped != NULL, &chosen));
+}
 
 int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const plt_source *source,
                    const plt_options *options, plt_fault *fault) {
@@ -424,20 +445,16 @@ int plt_open_begin(plt_engine **engine, void *arena, size_t arena_bytes, const p
     if (status != PLT_OK) {
         return status;
     }
-    plt_options chosen = *options;
-#if PLT_WITH_VERTICES
-    choose_records(&chosen, &header.info, source->mapped != NULL, arena_bytes);
-#endif
     plt_arena a = {arena, arena_bytes, 0, 0};
     plt_engine *e = plt_arena_cut(&a, sizeof *e);
     if (e == NULL) {
-        return plt_arena_short(fault,
-                               plt_arena_need(&header.info, source->mapped != NULL, &chosen));
+        return no_room(&header.info, source, options, arena_bytes, fault);
     }
     memset(e, 0, sizeof *e);
     e->arena = a;
     e->source = *source;
-    e->options = chosen;
+    e->options = *options;
+    choose_records(&e->options, &header.info, source->mapped != NULL, arena_bytes);
     e->rendering.done = 1;
     status = open_scene(e, &header, fault);
     if (status == PLT_OK) {

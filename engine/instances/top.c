@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT */
 #include "engine/instances/top.h"
 
-#include <stddef.h>
+#include <string.h>
 
 enum { BINS = 8 };
 
@@ -15,10 +15,12 @@ typedef struct builder {
     const plt_placed *placed;
 } builder;
 
-/* Instances order[begin] .. order[end - 1], at least two, whose first node is `node`. */
+/* Instances order[begin] .. order[end - 1], at least two. */
 typedef struct range {
-    uint32_t begin, end, node, level;
+    uint32_t begin, end, level;
 } range;
+
+_Static_assert(sizeof(range) <= sizeof(plt_top_node), "it waits where its first node will be");
 
 static float centre(const builder *b, uint32_t at, int axis) {
     const plt_box *box = &b->placed[b->order[at]].box;
@@ -138,39 +140,34 @@ static uint32_t split(const builder *b, const range *r) {
 
 /* ---- nodes ------------------------------------------------------------------------ */
 
-/* A child of one instance is that, others begin at `node`. */
-static uint32_t child(const builder *b, uint32_t begin, uint32_t end, uint32_t node) {
-    return end - begin == 1 ? PLT_TOP_LEAF | b->order[begin] : node;
+/* A child of one instance is that; others begin at `node`, and wait there to be split. */
+static uint32_t child(const builder *b, uint32_t begin, uint32_t end, uint32_t node,
+                      uint32_t level) {
+    if (end - begin == 1) {
+        return PLT_TOP_LEAF | b->order[begin];
+    }
+    const range r = {begin, end, level};
+    memcpy(&b->nodes[node], &r, sizeof r);
+    return node;
 }
 
+/* Nodes are in depth-first order, so whatever waits is behind what is split. */
 uint32_t plt_top_build(plt_top_node *nodes, uint32_t *order, const plt_placed *placed,
                        uint32_t count) {
     const builder b = {nodes, order, placed};
-    range waiting[PLT_TOP_DEPTH];
-    unsigned count_waiting = 0;
     for (uint32_t i = 0; i < count; i++) {
         order[i] = i;
     }
-    range r = {0, count, 0, 0};
-    if (count == 1) {
-        return PLT_TOP_LEAF;
-    }
-    for (;;) {
-        const uint32_t middle = split(&b, &r), left = r.node + 1, right = r.node + middle - r.begin;
-        plt_top_node *n = &nodes[r.node];
+    const uint32_t root = child(&b, 0, count, 0, 0);
+    for (uint32_t node = 0; node + 1 < count; node++) {
+        plt_top_node *n = &nodes[node];
+        range r;
+        memcpy(&r, n, sizeof r);
+        const uint32_t middle = split(&b, &r), right = node + middle - r.begin;
         n->box[0] = box_of(&b, r.begin, middle);
         n->box[1] = box_of(&b, middle, r.end);
-        n->child[0] = child(&b, r.begin, middle, left);
-        n->child[1] = child(&b, middle, r.end, right);
-        if (r.end - middle > 1) {
-            waiting[count_waiting++] = (range){middle, r.end, right, r.level + 1};
-        }
-        if (middle - r.begin > 1) {
-            r = (range){r.begin, middle, left, r.level + 1};
-        } else if (count_waiting > 0) {
-            r = waiting[--count_waiting];
-        } else {
-            return 0;
-        }
+        n->child[0] = child(&b, r.begin, middle, node + 1, r.level + 1);
+        n->child[1] = child(&b, middle, r.end, right, r.level + 1);
     }
+    return root;
 }

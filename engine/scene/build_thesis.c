@@ -4,6 +4,7 @@
 #include "engine/scene/build_thesis.h"
 
 #include "engine/base/fault.h"
+#include "engine/base/small_stack.h"
 #include "engine/builder/build.h"
 #include "engine/scene/validate_thesis.h"
 #include "engine/tree/validate_records.h"
@@ -64,7 +65,7 @@ static void set_tree(const plt_opening *o, const plt_build_job *job) {
 }
 
 /* Counts and stack needs of the new tree, as of one that was read; K stays as it is. */
-static int count(const plt_opening *o) {
+PLT_APART_ON_SMALL_STACKS static int count(const plt_opening *o) {
     plt_info *info = &o->scene->info, counted;
     const int status = plt_thesis_validate(o, &o->scene->thesis, &counted);
     if (status == PLT_OK) {

@@ -63,7 +63,9 @@ PLT_INLINED void test_footprint(plt_beam *b, candidate *c, projected *p, int apa
     const rectangle r = rectangle_of(b, p);
 #if PLT_WITH_SAMPLES
     if (is_large(b, p)) {
-        test_pixels(b, c, p, &r);
+        if (!test_pixels(b, c, p, &r)) {
+            plt_beam_test_samples(b, record_of(b, c), &r);
+        }
         return;
     }
 #endif

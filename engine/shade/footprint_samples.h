@@ -124,8 +124,9 @@ static inline int is_t_known(const plt_beam *b, const projected *p, footprint *f
     return f->slack <= PLT_SLACK_MOST * over.least * f->area;
 }
 
-/* The pixels that a large triangle may cover, whole ones at once. */
-PLT_RARELY void test_pixels(plt_beam *b, candidate *c, projected *p, const rectangle *r) {
+/* The pixels that a large triangle may cover, whole ones at once. 0: its planes know t better, and
+ * its samples are to be tested by these; not from here, on top of all that lies on the stack. */
+PLT_RARELY int test_pixels(plt_beam *b, candidate *c, projected *p, const rectangle *r) {
     const uint32_t across = b->view->across, whole = ~(across - 1), left = r->left & whole;
     const float step = (float)(int32_t)across;
     const float beside = 0.5f * (step - 1.0f);
@@ -135,8 +136,7 @@ PLT_RARELY void test_pixels(plt_beam *b, candidate *c, projected *p, const recta
                  plt_margins_reach(&b->margins));
     set_edges(&f, p, &b->margins);
     if (!is_t_known(b, p, &f)) {
-        plt_beam_test_samples(b, record_of(b, c), r);
-        return;
+        return 0;
     }
     set_slopes(&s, b->view, p);
     set_steps(&s.samples, b, p);
@@ -152,6 +152,7 @@ PLT_RARELY void test_pixels(plt_beam *b, candidate *c, projected *p, const recta
             f.at[k] += step * s.down[k];
         }
     }
+    return 1;
 }
 
 #endif

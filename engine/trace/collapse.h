@@ -5,7 +5,9 @@
  * that a place is free for are cut in two. Boxes of leaves are those of their triangles,
  * exactly; boxes of nodes are the tree's.
  *
- * Subtrees that are still to be made wait on a stack of 3 * depth + 1 entries at most.
+ * Subtrees that are still to be made wait on a stack of 3 * depth + 1 entries at most: a node on
+ * level d (the root's is 1) has at most 3 (d - 1) below it, and its parts, at most four, lie where
+ * it waited.
  *
  * Include a format (format.h) before this file.
  *
@@ -18,6 +20,7 @@
 #include <string.h>
 
 #include "engine/base/box.h"
+#include "engine/base/small_stack.h"
 #include "engine/trace/collapse_formats.h"
 
 /* What is to be a child: a subtree, or triangles in a row of one leaf. */
@@ -88,35 +91,34 @@ static int is_leaf(const piece *p) {
     return p->count > 0 && p->count <= 4 * (PLT_BVH4_MORE_MOST + 1);
 }
 
-/* In two, the first one of whole blocks. */
-static void cut(const piece *p, piece to[2]) {
+/* In two, the first one, of whole blocks, where it was. */
+static void cut(piece *p, piece *second) {
     const uint32_t half = ((p->count + 1) / 2 + 3) / 4 * 4;
-    to[0] = to[1] = *p;
-    to[0].count = half;
-    to[1].first += half;
-    to[1].count -= half;
+    *second = *p;
+    second->first += half;
+    second->count -= half;
+    p->count = half;
 }
 
-/* A piece's two parts. What fails is a source, and the scene is at hand here. */
-static void open_piece(plt_traversal *t, piece *p, piece to[2]) {
+/* A piece becomes its first part. What fails is a source, and the scene is at hand here. */
+static void open_piece(plt_traversal *t, piece *p, piece *second) {
     if (p->count > 0) {
-        cut(p, to);
+        cut(p, second);
         return;
     }
+    format_place place = p->place;
     format_children c;
-    if (format_is_edge(&p->place)) {
-        format_enter(t, &p->place);
+    if (format_is_edge(&place)) {
+        format_enter(t, &place);
     } else {
-        format_return(t, &p->place);
+        format_return(t, &place);
     }
-    format_decode(t, &p->place, &c);
-    for (unsigned i = 0; i < 2; i++) {
-        format_child(&c, i, &to[i].place);
-    }
+    format_decode(t, &place, &c);
+    format_child(&c, 0, &p->place);
+    format_child(&c, 1, &second->place);
     const plt_box *box = format_boxes(&c);
-    for (unsigned i = 0; i < 2; i++) {
-        set_piece(t, &to[i], &box[i]);
-    }
+    set_piece(t, p, &box[0]);
+    set_piece(t, second, &box[1]);
 }
 
 /* 2: a node. 1: triangles of more than a block. 0: it stays as it is. */
@@ -133,21 +135,21 @@ static int is_better(const piece *a, const piece *b) {
                          : a->count > b->count;
 }
 
-static unsigned open_all(plt_traversal *t, piece *p, piece to[4]) {
+/* The parts of the piece in to[0], at most four. Apart, so that it is not on the stack below what
+ * makes leaves of them. */
+PLT_APART_ON_SMALL_STACKS static unsigned open_all(plt_traversal *t, waiting_piece *to) {
     unsigned count = 2;
-    open_piece(t, p, to);
+    open_piece(t, &to[0].what, &to[1].what);
     while (count < 4) {
         unsigned best = 0;
         for (unsigned i = 1; i < count; i++) {
-            best = is_better(&to[i], &to[best]) ? i : best;
+            best = is_better(&to[i].what, &to[best].what) ? i : best;
         }
-        if (can_open(&to[best]) == 0) {
+        if (can_open(&to[best].what) == 0) {
             break;
         }
-        piece opened[2], at = to[best];
-        open_piece(t, &at, opened);
-        to[best] = opened[0];
-        to[count++] = opened[1];
+        open_piece(t, &to[best].what, &to[count].what);
+        count++;
     }
     return count;
 }
@@ -168,32 +170,33 @@ static void link_to(plt_wide_build *b, const waiting_piece *w, uint32_t link) {
     }
 }
 
-/* Makes a node of a piece; those of its children that are no leaves wait. */
-static uint32_t make_node(plt_traversal *t, plt_wide_build *b, waiting_piece *w,
-                          waiting_piece *stack) {
-    piece child[4];
+/* Makes a node of the piece in stack[0]; those of its children that are no leaves wait, from there
+ * on. */
+static uint32_t make_node(plt_traversal *t, plt_wide_build *b, waiting_piece *stack) {
     uint32_t waiting = 0;
-    const uint32_t node = b->nodes_count++;
+    const uint32_t node = b->nodes_count++, depth = stack->depth;
     plt_bvh4_node *n = &b->nodes[node];
-    const plt_box none = plt_box_empty();
-    const unsigned count = open_all(t, &w->what, child);
+    link_to(b, stack, node * (PLT_BVH4_KIND + 1));
+    const unsigned count = open_all(t, stack);
     memset(n, 0, sizeof *n);
-    b->depth = w->depth > b->depth ? w->depth : b->depth;
+    b->depth = depth > b->depth ? depth : b->depth;
     for (unsigned i = 0; i < 4; i++) {
-        if (i >= count) {
-            set_child(n, i, &none, PLT_COLLAPSE_NONE);
-        } else if (is_leaf(&child[i])) {
-            plt_box box;
-            format_return(t, &child[i].place);
-            const uint32_t link = make_leaf(t, b, &child[i], &box);
-            set_child(n, i, &box, link);
-        } else {
-            set_child(n, i, &child[i].box, PLT_COLLAPSE_NONE);
-            const waiting_piece next = {child[i], node, i, w->depth + 1};
-            stack[waiting++] = next;
+        piece *child = &stack[i].what;
+        plt_box box = plt_box_empty();
+        uint32_t link = PLT_COLLAPSE_NONE;
+        if (i < count && is_leaf(child)) {
+            format_return(t, &child->place);
+            link = make_leaf(t, b, child, &box);
+        } else if (i < count) {
+            box = child->box;
+            stack[waiting].what = *child;
+            stack[waiting].node = node;
+            stack[waiting].child = i;
+            stack[waiting].depth = depth + 1;
+            waiting++;
         }
+        set_child(n, i, &box, link);
     }
-    link_to(b, w, node * (PLT_BVH4_KIND + 1));
     return waiting;
 }
 
@@ -208,12 +211,12 @@ static void collapse(plt_traversal *t, plt_wide_build *b) {
         waiting = 1;
     }
     while (waiting > 0) {
-        waiting_piece at = stack[--waiting];
+        waiting_piece *at = &stack[--waiting];
         plt_box box;
-        if (is_leaf(&at.what)) { /* the root alone: others are made with their node */
-            link_to(b, &at, make_leaf(t, b, &at.what, &box));
+        if (is_leaf(&at->what)) { /* the root alone: others are made with their node */
+            link_to(b, at, make_leaf(t, b, &at->what, &box));
         } else {
-            waiting += make_node(t, b, &at, stack + waiting);
+            waiting += make_node(t, b, at);
         }
     }
 }

@@ -35,23 +35,29 @@ PLT_APART_ON_SMALL_STACKS static unsigned culled_by_frustum(const plt_leaf *leaf
 }
 
 #if PLT_WITH_WAVE
-static void set_strip_triangle(const plt_block_tree *tree, const plt_geometry *g,
-                               const plt_leaf_run *run, uint32_t index, plt_triangle *to) {
-    plt_leaf leaf;
+/* Corners of triangle `index`, in canonical order. */
+PLT_APART_ON_SMALL_STACKS static void place_strip_corners(const plt_leaf *leaf, uint32_t index,
+                                                          const plt_lattice *l, float to[3][3]) {
     const uint32_t *number[3];
     uint64_t key[3];
-    plt_leaf_read(g, run->first, run->count, &leaf);
     for (unsigned c = 0; c < 3; c++) {
-        number[c] = leaf.vertex[plt_leaf_corner(&leaf, index, c)].number;
+        number[c] = leaf->vertex[plt_leaf_corner(leaf, index, c)].number;
         key[c] = plt_lattice_key(number[c]);
     }
     uint32_t from = plt_canonical_first(key[1] < key[0], key[2] < key[0], key[2] < key[1]);
     for (unsigned c = 0; c < 3; c++) {
         for (int a = 0; a < 3; a++) {
-            to->corner[c][a] = plt_lattice_float(&tree->lattice, a, number[from][a]);
+            to[c][a] = plt_lattice_float(l, a, number[from][a]);
         }
         from = from < 2 ? from + 1 : 0;
     }
+}
+
+static void set_strip_triangle(const plt_block_tree *tree, const plt_geometry *g,
+                               const plt_leaf_run *run, uint32_t index, plt_triangle *to) {
+    plt_leaf leaf;
+    plt_leaf_read(g, run->first, run->count, &leaf);
+    place_strip_corners(&leaf, index, &tree->lattice, to->corner);
     to->word = g->first_triangle + run->first + index;
     to->ids = tree->ids.bytes == NULL ? NULL : &tree->ids;
 }

@@ -11,24 +11,48 @@
 
 #if !PLT_WITH_HULLS
 
+/* A number that all lanes have: once where lanes are memory, which is 120 bytes of stack less. */
+#if PLT_LANES_REGISTERS
+typedef f4 common;
+
+static inline common common_of(float x) {
+    return f4_all(x);
+}
+
+static inline f4 common_get(common x) {
+    return x;
+}
+#else
+typedef float common;
+
+static inline common common_of(float x) {
+    return x;
+}
+
+static inline f4 common_get(common x) {
+    return f4_all(x);
+}
+#endif
+
 /* A triangle made ready for all groups of a packet. */
 typedef struct prepared {
     const plt_triangle *triangle;
-    f4 from_org[3][3]; /* PER_PACKET: corner - origin, in all lanes, that axis last */
-    f4 slack;          /* 72 u R L + 320 u^2 R^2; PER_GROUP: 72 u L */
+    common from_org[3][3]; /* PER_PACKET: corner - origin, that axis last */
+    common slack;          /* 72 u R L + 320 u^2 R^2; PER_GROUP: 72 u L */
 } prepared;
 
 static inline void prepare(prepared *t, const plt_packet *p, enum sharing sharing) {
     const plt_triangle *triangle = t->triangle;
-    t->slack = f4_all(72.0f * PLT_U * triangle->longest);
+    const float slack = 72.0f * PLT_U * triangle->longest;
+    t->slack = common_of(slack);
     if (sharing == PER_GROUP) {
         return;
     }
-    t->slack = f4_add(f4_mul(t->slack, f4_all(p->reach)), f4_all(p->least_slack));
+    t->slack = common_of(slack * p->reach + p->least_slack);
     unsigned axis = plt_axis_after[p->axis];
     PLT_UNROLLED for (int a = 0; a < 3; a++) {
         for (int c = 0; c < 3; c++) {
-            t->from_org[c][a] = f4_all(triangle->corner[c][axis] - p->org[axis]);
+            t->from_org[c][a] = common_of(triangle->corner[c][axis] - p->org[axis]);
         }
         axis = plt_axis_after[axis];
     }
@@ -38,7 +62,7 @@ static inline f4 from_origin(const prepared *t, const plt_group_rays *g, int cor
                              enum sharing sharing) {
     return sharing == PER_GROUP
                ? f4_sub(f4_all(t->triangle->corner[corner][axis]), f4_load(g->org[axis]))
-               : t->from_org[corner][axis];
+               : common_get(t->from_org[corner][axis]);
 }
 
 /* The edge functions as seen along axis z. */
@@ -60,7 +84,7 @@ static inline edges edges_of(const prepared *t, const plt_group_rays *g, int z,
 /* Lanes that the triangle covers, or may cover. */
 static inline unsigned may_cover(const prepared *t, const plt_group_rays *g, const edges *e,
                                  enum sharing sharing) {
-    f4 slack = t->slack;
+    f4 slack = common_get(t->slack);
     if (sharing == PER_GROUP) {
         slack = f4_add(f4_mul(slack, f4_load(g->reach)), f4_load(g->least_slack));
     }

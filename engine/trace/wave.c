@@ -12,7 +12,7 @@
 
 enum { WATCH_WINDOW = 256 }; /* rays: no packet has more */
 
-/* PLT_OK: all rays are traced; or PLT_MORE. */
+/* PLT_OK: all rays are traced; or PLT_MORE: the step is over, or rays wait to be looked at. */
 static int step(plt_wave_job *job) {
     const plt_scene *scene = job->traversal->scene;
     if (scene->bvh4 != NULL) {
@@ -43,10 +43,13 @@ int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int look
                         .count = count,
                         .any = any,
                         .visits = UINT32_MAX};
+    int status = PLT_OK;
     clear(job.wave);
-    while (step(&job) == PLT_MORE) {
-    }
-    return job.status;
+    do {
+        status = status == PLT_OK ? plt_wave_look(&job) : status;
+        job.count = status == PLT_OK ? job.count : job.next; /* the wave ends its own rays */
+    } while (step(&job) == PLT_MORE);
+    return status;
 }
 
 void plt_wave_packet_begin(plt_traversal *t, uint32_t rays) {

@@ -243,12 +243,13 @@ static int take(run *k, plt_wave_job *job, plt_wave_ray *r, uint32_t root) {
     return 1;
 }
 
+/* Those that find no ray stay on the list: there may be one when others were looked at. */
 static void take_all(run *k, plt_wave_job *job, uint32_t root) {
-    const size_t count = k->on.on[PLT_WAVE_DONE];
-    k->on.on[PLT_WAVE_DONE] = 0;
-    for (size_t i = 0; i < count; i++) {
-        take(k, job, k->on.list[PLT_WAVE_DONE][i], root);
+    size_t count = k->on.on[PLT_WAVE_DONE];
+    while (count > 0 && take(k, job, k->on.list[PLT_WAVE_DONE][count - 1], root)) {
+        count--;
     }
+    k->on.on[PLT_WAVE_DONE] = count;
 }
 
 int plt_wave_bvh4(plt_wave_job *job) {
@@ -257,14 +258,10 @@ int plt_wave_bvh4(plt_wave_job *job) {
     plt_wave *w = job->wave;
     const plt_bvh4 *tree = t->scene->bvh4;
     run k = {tree->nodes, w->found, plt_wave_lists_get(w)};
-    for (uint32_t i = 0; i < w->rays_in_flight && !job->is_begun; i++) {
-        if (!take(&k, job, plt_wave_slot(w, i), tree->root)) {
-            break;
-        }
-    }
-    job->is_begun = 1;
+    plt_wave_fill(w, job, &k.on);
+    take_all(&k, job, tree->root);
     while (k.on.on[PLT_WAVE_VISIT] + k.on.on[PLT_WAVE_TEST] > 0) {
-        if (plt_wave_is_over(job, before)) {
+        if (plt_wave_waits(job) || plt_wave_is_over(job, before)) {
             plt_wave_lists_keep(w, &k.on);
             return PLT_MORE;
         }
@@ -283,5 +280,5 @@ int plt_wave_bvh4(plt_wave_job *job) {
         take_all(&k, job, tree->root);
     }
     plt_wave_lists_keep(w, &k.on);
-    return PLT_OK;
+    return plt_wave_waits(job) ? PLT_MORE : PLT_OK;
 }

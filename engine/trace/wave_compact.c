@@ -348,12 +348,13 @@ static int take(run *k, plt_wave_job *job, compact_ray *r) {
     return 1;
 }
 
+/* Those that find no ray stay on the list: there may be one when others were looked at. */
 static void take_all(run *k, plt_wave_job *job) {
-    const size_t count = k->on.on[PLT_WAVE_DONE];
-    k->on.on[PLT_WAVE_DONE] = 0;
-    for (size_t i = 0; i < count; i++) {
-        take(k, job, whole(k->on.list[PLT_WAVE_DONE][i]));
+    size_t count = k->on.on[PLT_WAVE_DONE];
+    while (count > 0 && take(k, job, whole(k->on.list[PLT_WAVE_DONE][count - 1]))) {
+        count--;
     }
+    k->on.on[PLT_WAVE_DONE] = count;
 }
 
 static void leave(plt_wave *w, const run *k) {
@@ -374,14 +375,10 @@ int plt_wave_compact(plt_wave_job *job) {
              .entering = w->on[PLT_WAVE_ENTER],
              .cross = w->list[PLT_WAVE_CROSS],
              .enter = w->list[PLT_WAVE_ENTER]};
-    for (uint32_t i = 0; i < w->rays_in_flight && !job->is_begun; i++) {
-        if (!take(&k, job, whole(plt_wave_slot(w, i)))) {
-            break;
-        }
-    }
-    job->is_begun = 1;
+    plt_wave_fill(w, job, &k.on);
+    take_all(&k, job);
     while (k.on.on[PLT_WAVE_VISIT] + k.on.on[PLT_WAVE_TEST] + k.crossing + k.entering > 0) {
-        if (plt_wave_is_over(job, before)) {
+        if (plt_wave_waits(job) || plt_wave_is_over(job, before)) {
             leave(w, &k);
             return PLT_MORE;
         }
@@ -395,7 +392,7 @@ int plt_wave_compact(plt_wave_job *job) {
         take_all(&k, job);
     }
     leave(w, &k);
-    return PLT_OK;
+    return plt_wave_waits(job) ? PLT_MORE : PLT_OK;
 }
 
 #endif

@@ -144,30 +144,41 @@ static void learn_alone(plt_wave_job *job) {
     job->is_dense = 0;
 }
 
-/* Traces windows of coherent rays in packets, up to one that is not, which it counts. Called
- * when all rays that were set up are taken. */
-PLT_APART_ON_SMALL_STACKS static void look(plt_wave_job *job) {
+/* A window in packets, of which the wave learns how dense boxes are. */
+static int trace_window(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
     plt_traversal *t = job->traversal;
+    plt_hit *hits = job->hits + job->next;
+    const uint32_t most = job->window.packet_rays;
+    const uint64_t visits = t->stats.node_visits;
+    int status = PLT_OK;
+    for (uint32_t i = 0; i < count && status == PLT_OK; i += most) {
+        const uint32_t left = count - i, now = left < most ? left : most;
+        status = plt_trace_packet(t, job->packet, rays + i, hits + i, now, job->any);
+    }
+    plt_wave_density_packets(&job->wave->density[PLT_WAVE_GIVEN], &job->window, count,
+                             t->stats.node_visits - visits);
+    return status;
+}
+
+int plt_wave_look(plt_wave_job *job) {
+    plt_traversal *t = job->traversal;
+    int status = PLT_OK;
     learn_alone(job);
-    while (job->next < job->count && job->status == PLT_OK) {
+    while (job->next == job->seen && job->next < job->count && status == PLT_OK) {
         const uint32_t left = job->count - job->next;
         const uint32_t window = job->window.rays, now = window > 0 && window < left ? window : left;
         const plt_ray *rays = job->rays + job->next;
-        if (!goes_in_packets(job, rays, now)) {
-            job->seen += now;
+        job->seen += now;
+        if (goes_in_packets(job, rays, now)) {
+            status = trace_window(job, rays, now);
+            job->next = job->seen;
+        } else {
             t->stats.rays += now;
             t->stats.wave_rays += now;
             job->visits_before = t->stats.node_visits;
-            return;
         }
-        const uint64_t visits = t->stats.node_visits;
-        job->status = plt_trace_packets(t, job->packet, job->window.packet_rays, rays,
-                                        job->hits + job->next, now, job->any);
-        plt_wave_density_packets(&job->wave->density[PLT_WAVE_GIVEN], &job->window, now,
-                                 t->stats.node_visits - visits);
-        job->next += now;
-        job->seen = job->next;
     }
+    return status;
 }
 
 /* Groups have missed already. */
@@ -179,13 +190,7 @@ static inline void set_missed(const plt_wave_job *job, uint32_t number) {
 }
 
 int plt_wave_take(plt_wave_job *job, plt_wave_ray *to) {
-    for (;;) {
-        if (job->next == job->seen) {
-            look(job);
-        }
-        if (job->next == job->seen) {
-            return 0;
-        }
+    while (job->next < job->seen) {
         const uint32_t number = job->next;
         if ((number & 3u) == 0) {
             ask_ahead(job);
@@ -198,6 +203,7 @@ int plt_wave_take(plt_wave_job *job, plt_wave_ray *to) {
             return 1;
         }
     }
+    return 0;
 }
 
 /* Of a multiple of 16. */

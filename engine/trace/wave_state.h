@@ -102,7 +102,6 @@ typedef struct plt_wave_job {
     int is_dense;           /* those of the last window: or, they are for packets that were */
     uint64_t visits_before; /* of nodes, when that began */
     int any;
-    int status;      /* of packets */
     int is_begun;    /* the first rays are taken */
     uint32_t visits; /* of nodes, after which a step ends, all rays being at the same point of it */
 } plt_wave_job;
@@ -198,7 +197,30 @@ static inline uint32_t plt_wave_stack_bytes(enum plt_wave_tree tree, uint32_t de
     return PLT_WAVE_COMPACT_BYTES + PLT_WAVE_COMPACT_ENTRY_BYTES * (depth + 2);
 }
 
-/* Takes the next ray that can hit anything; those that cannot miss. 0: there are no more. */
+/* Where all rays that were looked at are taken, traces windows of coherent ones in packets, up to
+ * one that is not, whose rays can be taken then. PLT_OK, or what a fetch failed with. It is not
+ * called by the wave, so that packets are not traced on top of its stack. */
+int plt_wave_look(plt_wave_job *job);
+
+/* 1: rays wait to be looked at. */
+static inline int plt_wave_waits(const plt_wave_job *job) {
+    return job->next == job->seen && job->next < job->count;
+}
+
+/* Before the first step: all rays in flight are done. */
+static inline void plt_wave_fill(const plt_wave *w, plt_wave_job *job, plt_wave_lists *l) {
+    if (job->is_begun) {
+        return;
+    }
+    job->is_begun = 1;
+    l->on[PLT_WAVE_DONE] = w->rays_in_flight;
+    for (uint32_t i = 0; i < w->rays_in_flight; i++) {
+        l->list[PLT_WAVE_DONE][i] = plt_wave_slot(w, w->rays_in_flight - 1 - i);
+    }
+}
+
+/* Takes the next ray that was looked at and can hit anything; those that cannot miss. 0: there are
+ * no more. */
 int plt_wave_take(plt_wave_job *job, plt_wave_ray *to);
 
 #endif

@@ -179,12 +179,13 @@ static int take(run *k, plt_wave_job *job, plt_binary_ray *r) {
     return 1;
 }
 
+/* Those that find no ray stay on the list: there may be one when others were looked at. */
 static void take_all(run *k, plt_wave_job *job) {
-    const size_t count = k->on.on[PLT_WAVE_DONE];
-    k->on.on[PLT_WAVE_DONE] = 0;
-    for (size_t i = 0; i < count; i++) {
-        take(k, job, whole(k->on.list[PLT_WAVE_DONE][i]));
+    size_t count = k->on.on[PLT_WAVE_DONE];
+    while (count > 0 && take(k, job, whole(k->on.list[PLT_WAVE_DONE][count - 1]))) {
+        count--;
     }
+    k->on.on[PLT_WAVE_DONE] = count;
 }
 
 int plt_wave_thesis(plt_wave_job *job) {
@@ -195,14 +196,10 @@ int plt_wave_thesis(plt_wave_job *job) {
              {(const unsigned char *)tree->nodes, (const unsigned char *)tree->records},
              w->found,
              plt_wave_lists_get(w)};
-    for (uint32_t i = 0; i < w->rays_in_flight && !job->is_begun; i++) {
-        if (!take(&k, job, whole(plt_wave_slot(w, i)))) {
-            break;
-        }
-    }
-    job->is_begun = 1;
+    plt_wave_fill(w, job, &k.on);
+    take_all(&k, job);
     while (k.on.on[PLT_WAVE_VISIT] + k.on.on[PLT_WAVE_TEST] > 0) {
-        if (plt_wave_is_over(job, before)) {
+        if (plt_wave_waits(job) || plt_wave_is_over(job, before)) {
             plt_wave_lists_keep(w, &k.on);
             return PLT_MORE;
         }
@@ -214,5 +211,5 @@ int plt_wave_thesis(plt_wave_job *job) {
         take_all(&k, job);
     }
     plt_wave_lists_keep(w, &k.on);
-    return PLT_OK;
+    return plt_wave_waits(job) ? PLT_MORE : PLT_OK;
 }

@@ -127,6 +127,17 @@ verdict "a row of $before is as it was there, if it was asked for, and so is wha
         NR == FNR { was[key()] = $7; next }
         FNR > 1 && (key() in was) && was[key()] != $7 { print key() ": " $7 ", was " was[key()] }
         FNR > 1 && !(key() in was) && /,not tried: / { print key() ": " $7 }' "$before" "$table")"
+# A board's compiler has the name of its CPU before it.
+verdict "every row of $before that was asked for is in the table" "$(
+    awk -F, -v archs="$ARCHS" -v compilers="$COMPILERS" -v levels="$LEVELS" -v on="$ON" '
+        function key() { return $1 "," $4 "," $5 "," $6 }
+        function asked(names, name) { return names == "" || index(" " names " ", " " name " ") }
+        NR == FNR { now[key()]; next }
+        FNR == 1 || (key() in now) { next }
+        $5 ~ /-gcc$/ { wanted = asked(on, $1) }
+        $5 !~ /-gcc$/ { wanted = asked(archs, $1) && asked(compilers, $5) && asked(levels, $6) }
+        wanted { print key() " is not tried any more; list it again, or take its line out" }
+        ' "$table" "$before")"
 echo "new in the table: $(awk -F, 'function key() { return $1 "," $4 "," $5 "," $6 }
     NR == FNR { was[key()]; next } !(key() in was) { n++ } END { print n + 0 }' "$before" "$table")"
 finish

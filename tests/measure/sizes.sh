@@ -2,7 +2,8 @@
 # sizes.sh - what the engine costs: code, constants, data, stack, arena, steps, structures
 #
 # Builds and runs the boards of ON, all if it is not given, and the PARTS of OF, which are rows of
-# tests/golden/parts.csv ("render thesis, render compact frames"; all of them); `none` is none.
+# tests/golden/parts.csv ("render thesis, render compact frames"; all of them); `none` is none, and
+# words without a row there end in status 2.
 # Prints tables and how they differ from those of tests/golden/, and leaves boards.csv, parts.csv
 # and structures.csv in build/sizes/. Fails above the budget (budget.awk), when a frame is not the
 # host's, when the engine has data or bss, or when its worst stack is not known.
@@ -13,6 +14,27 @@ export BUILD
 arm=$BUILD/mps2_an386 results=$BUILD/sizes
 failures=0
 mkdir -p "$results"
+
+# of: the PARTS to build, a line of words each. Fails, naming what there is, if words have no row.
+of() {
+    if [ -z "$OF" ]; then
+        all_parts
+        return
+    fi
+    all_parts >"$results/rows.txt"
+    echo "$OF" | tr ',' '\n' | sed 's/^ *//; s/ *$//' | awk -v rows="$results/rows.txt" '
+        BEGIN { while ((getline row <rows) > 0) { there[row]; names = names ", " row } }
+        $0 in there { print; next }
+        {
+            print "error: OF: tests/golden/parts.csv has no row \047" $0 "\047; it has" \
+                substr(names, 2) >"/dev/stderr"
+            wrong = 2
+        }
+        END { exit wrong }'
+}
+if [ "$OF" != none ]; then
+    of >"$results/parts.txt" || exit 2
+fi
 
 # sizes_of FOLDER SIZE: bytes of every engine object in FOLDER and their sum. Fails on data, bss, or
 # no object.
@@ -99,11 +121,6 @@ if [ "$ON" != none ]; then
 fi
 if [ "$OF" != none ]; then
     echo "$parts_header" >"$results/parts.csv"
-    if [ -n "$OF" ]; then
-        echo "$OF" | tr ',' '\n' | sed 's/^ *//; s/ *$//'
-    else
-        all_parts
-    fi >"$results/parts.txt"
     while read -r words; do
         built=$(folder_of "$words") text=
         make_board mps2_an386 PARTS="$([ "$words" = all ] || echo "$words")" &&
