@@ -65,8 +65,8 @@ static inline uint32_t record_of_all(const plt_pixel *sample, uint32_t across, u
 }
 
 /* Of a record, or of the sky. */
-static void colour_of(const plt_beam *b, const plt_sampling *s, const place *at, uint32_t record,
-                      some_shaded *last, uint8_t rgb[3]) {
+PLT_INLINED void colour_of(const plt_beam *b, const plt_sampling *s, const place *at,
+                           uint32_t record, some_shaded *last, uint8_t rgb[3]) {
     if (record == NONE) {
         rgb[0] = at->sky[0];
         rgb[1] = at->sky[1];
@@ -183,6 +183,10 @@ static void shade_row(plt_beam *b, plt_sampling *s, uint32_t y, const uint8_t *s
     const uint32_t first_x = b->square.x / across, row = b->square.y / across + y;
     const uint8_t red = sky[0], green = sky[1], blue = sky[2];
     const int depths = has_depths(s), some = s->columns > 0;
+    float down[3];
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        down[a] = (float)(int32_t)row * s->middle.down[a];
+    }
     const plt_pixel *sample = sample_at(b, 0, across * y);
     place at = {.y = across * y, .sky = sky};
     for (uint32_t x = 0; at.x < b->columns; x++, rgb += 3, at.x += across, sample += across) {
@@ -196,8 +200,11 @@ static void shade_row(plt_beam *b, plt_sampling *s, uint32_t y, const uint8_t *s
             rgb[2] = blue;
             continue;
         }
-        float dir[3];
-        plt_view_direction(&s->middle, first_x + x, row, dir);
+        float dir[3]; /* as plt_view_direction has it */
+        const float px = (float)(int32_t)(first_x + x);
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
+            dir[a] = (s->middle.corner[a] + px * s->middle.right[a]) + down[a];
+        }
         plt_sight_set(&at.seen, dir);
         shade(b, s, &at, plt_mixed_bit(s, x, y), record, last, rgb);
     }

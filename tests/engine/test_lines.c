@@ -76,30 +76,81 @@ static void widest(void) {
 }
 
 /* Of a view of any field, its tangent below 2^`widest`, and any frame. */
-static int any_margins(random_state *r, uint32_t widest, plt_margins *m, uint32_t *side) {
+static int any_margins(random_state *r, uint32_t widest, plt_view *v, plt_frame *f, plt_margins *m,
+                       uint32_t *side) {
     static const plt_box box = {{-1, -1, -1}, {1, 1, 1}};
     const int power = (int)random_below(r, widest + 24) - 24;
     const float tangent = ldexpf(random_float(r, 1.0f, 2.0f), power);
-    plt_frame f = {.width = (uint16_t)(1 + random_below(r, 16000)),
-                   .height = (uint16_t)(1 + random_below(r, 16000)),
-                   .camera = {.eye = {0, 0, 3}, .up = {0, 1, 0}, .tan_half_fov = tangent}};
-    plt_view v;
+    *f = (plt_frame){.width = (uint16_t)(1 + random_below(r, 16000)),
+                     .height = (uint16_t)(1 + random_below(r, 16000)),
+                     .camera = {.eye = {0, 0, 3}, .up = {0, 1, 0}, .tan_half_fov = tangent}};
     *side = 2u << random_below(r, 4);
-    if (plt_view_set(&v, &f) != PLT_OK) {
+    if (plt_view_set(v, f) != PLT_OK) {
         return 0;
     }
-    plt_margins_set(m, &v, &f, *side, &box, 5.0f);
+    plt_margins_set(m, v, f, *side, &box, 5.0f);
+    return 1;
+}
+
+static double length_of(const float v[3]) {
+    return sqrt((double)v[0] * (double)v[0] + (double)v[1] * (double)v[1] +
+                (double)v[2] * (double)v[2]);
+}
+
+/* What 7.7 says that edges of a triangle of `size` have to have, which meets a square of `side`:
+ * its corners are within 24 pixels and that of the square's first. */
+static double least_edge(const plt_view *v, const plt_frame *f, const plt_margins *m, uint32_t side,
+                         double size) {
+    const double right = length_of(v->right), down = length_of(v->down);
+    const double step = fmax(right, down), det = fabs((double)m->det), u = 0x1p-24;
+    double farthest = 0.0, term = 0.0;
+    for (int i = 0; i < 4; i++) {
+        float d[3];
+        plt_view_point(v, i & 1 ? (float)(f->width - 1) : 0.0f,
+                       i & 2 ? (float)(f->height - 1) : 0.0f, d);
+        farthest = fmax(farthest, length_of(d));
+    }
+    for (int a = 0; a < 3; a++) {
+        term = fmax(term, fabs((double)v->corner[a]) + f->width * fabs((double)v->right[a]) +
+                              f->height * fabs((double)v->down[a]));
+    }
+    const double reach = (size + 24.0) * step, direction = farthest + 2.0 * reach;
+    const double beside = reach / farthest, square = side * step / farthest;
+    const double sum = step * farthest / det *
+                           ((8.5 + 7.5 * beside) * direction + 13.0 * (1.0 + square) * term +
+                            4.0 * (1.0 + square + beside)) +
+                       9.0 * right * down / det * direction * (double)m->bias + 128.0;
+    return 1.5 * u * sum + 18.0 * u * size;
+}
+
+/* Margins of small triangles are that at least, and close to it. */
+static uint32_t small_edges(const plt_view *v, const plt_frame *f, const plt_margins *m,
+                            uint32_t side) {
+    if (m->small_growth == 0.0f) {
+        CHECK(m->small_edge == m->edge, "an edge of %g, not %g", (double)m->small_edge,
+              (double)m->edge);
+        return 0;
+    }
+    CHECK(m->pixels < 1.0f, "small ones, where corners are off by %g", (double)m->pixels);
+    for (float size = 0.0f; size <= PLT_SMALL_SIZE; size += 8.0f) {
+        const double least = least_edge(v, f, m, side, (double)size);
+        const double edge = (double)edge_of(m, size);
+        CHECK(edge > 0.99999 * least + 0x1p-19 && edge < 2.0 * least,
+              "%g pixels: an edge of %g, not %g", (double)size, edge, least);
+    }
     return 1;
 }
 
 /* What is taken off the least coordinate, added to all, and left to edges. */
 static void margins(void) {
     random_state r = {2};
-    uint32_t views = 0, told = 0, widest_seen = 0;
+    uint32_t views = 0, told = 0, widest_seen = 0, small = 0;
     for (uint32_t i = 0; i < 4000; i++) {
         plt_margins m;
+        plt_frame f;
+        plt_view v;
         uint32_t side;
-        if (!any_margins(&r, 10, &m, &side) || !m.project) {
+        if (!any_margins(&r, 10, &v, &f, &m, &side) || !m.project) {
             continue;
         }
         const double eps = (double)m.pixels, taken = m.lines * UNIT;
@@ -114,12 +165,14 @@ static void margins(void) {
                                 m.size == m.corner - (float)side),
               "%g pixels, corners up to %g: no look below %g", eps, (double)m.corner,
               (double)m.size);
+        small += small_edges(&v, &f, &m, side);
         views++;
         told += m.size > 0.0f;
         widest_seen += most && eps < 1e6;
     }
-    CHECK(views > 1000 && told > 500 && widest_seen > 20,
-          "%u views, %u of narrow margins, %u widest", views, told, widest_seen);
+    CHECK(views > 1000 && told > 500 && widest_seen > 20 && small > 300,
+          "%u views, %u of narrow margins, %u widest, %u of small ones", views, told, widest_seen,
+          small);
 }
 
 /* Of the widest fields, which project nothing, the sum that is solved for `pixels` has a negative
@@ -129,8 +182,10 @@ static void too_wide(void) {
     uint32_t views = 0;
     for (uint32_t i = 0; i < 4000; i++) {
         plt_margins m;
+        plt_frame f;
+        plt_view v;
         uint32_t side;
-        if (any_margins(&r, 20, &m, &side) && !m.project) {
+        if (any_margins(&r, 20, &v, &f, &m, &side) && !m.project) {
             CHECK(m.lines >= 0 && m.lines <= PLT_LINE_WIDEST, "%g pixels: %d taken off",
                   (double)m.pixels, m.lines);
             views += !(m.pixels >= 0.0f);
@@ -141,7 +196,7 @@ static void too_wide(void) {
 
 /* A triangle of whole coordinates, turned or not: its own corners are on its edges, to the bit. */
 static void corners(void) {
-    plt_margins m = {.pixels = 0.25f, .bias = 16.25f, .edge = 0.0f, .edge_least = 0.0f};
+    plt_margins m = {.pixels = 0.25f, .bias = 16.25f};
 #if PLT_WITH_SAMPLES
     m.reach = m.pixels;
 #endif
@@ -183,7 +238,7 @@ static void near_ones(void) {
 
 /* A right-angled triangle with legs of 4, whose corners go around either way. */
 static footprint of_size(float edge, int turned) {
-    const plt_margins m = {.pixels = 0.0f, .bias = 16.0f, .edge = edge, .edge_least = 0.5f};
+    const plt_margins m = {.bias = 16.0f, .small_edge = edge, .edge_least = 0.5f};
     projected p = {.x = {16, 20, 16}, .y = {16, 16, 20}, .over = {1, 1, 1}, .size = 8.0f};
     footprint f;
     if (turned) {
