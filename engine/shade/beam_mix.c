@@ -65,8 +65,8 @@ static inline uint32_t record_of_all(const plt_pixel *sample, uint32_t across, u
 }
 
 /* Of a record, or of the sky. */
-PLT_INLINED void colour_of(const plt_beam *b, const plt_sampling *s, const place *at,
-                           uint32_t record, some_shaded *last, uint8_t rgb[3]) {
+static void colour_of(const plt_beam *b, const plt_sampling *s, const place *at, uint32_t record,
+                      some_shaded *last, uint8_t rgb[3]) {
     if (record == NONE) {
         rgb[0] = at->sky[0];
         rgb[1] = at->sky[1];
@@ -170,8 +170,9 @@ static void shade(plt_beam *b, plt_sampling *s, const place *at, uint32_t bit, u
 static void shade_nothing(const plt_beam *b, const plt_sampling *s, const uint8_t *sky,
                           uint8_t *rgb, uint32_t row_bytes) {
     static const uint8_t black[3] = {0, 0, 0};
-    for (uint32_t y = 0; y < b->rows / s->across; y++, rgb += row_bytes, sky += 3) {
-        for (uint32_t x = 0; x < b->columns / s->across; x++) {
+    const uint32_t columns = b->columns / s->across, rows = b->rows / s->across;
+    for (uint32_t y = 0; y < rows; y++, rgb += row_bytes, sky += 3) {
+        for (uint32_t x = 0; x < columns; x++) {
             memcpy(rgb + 3 * x, has_depths(s) ? black : sky, 3);
         }
     }

@@ -33,12 +33,11 @@ static float size_of(const float a[3]) {
 }
 
 /* Planes through the eye and an edge, times the direction in the middle of the square's first
- * pixel; how much they change to the next pixel, and to the next sample of one; their margins, and
- * by how much a sample's may be above or below, the margin included. */
+ * pixel; how much they change to the next; their margins, and by how much a sample's may be above
+ * or below, the margin included. */
 typedef struct planes {
-    float first[3], right[3], down[3], next_right[3], next_down[3], margin[3], beside[3];
+    float first[3], right[3], down[3], margin[3], beside[3];
     float volume, volume_error; /* n . q, and how far off it may be */
-    int is_facing;              /* where it is hit all planes are above 0 */
     float error, near;          /* of t: a share of it, and one that is to be divided by it */
 } planes;
 
@@ -57,21 +56,7 @@ static void set_plane(planes *p, const plt_beam *b, int c, const float from[3], 
     p->first[c] = dot(normal, b->first) + middle * (right + down);
     p->right[c] = across * right;
     p->down[c] = across * down;
-    p->next_right[c] = right + b->view->part[0] * down;
-    p->next_down[c] = down - b->view->part[0] * right;
     p->beside[c] = spread_of(b->view, middle, right, down) + p->margin[c];
-}
-
-/* To the other side. */
-static void turn(planes *p) {
-    p->volume = -p->volume;
-    for (int c = 0; c < 3; c++) {
-        p->first[c] = -p->first[c];
-        p->right[c] = -p->right[c];
-        p->down[c] = -p->down[c];
-        p->next_right[c] = -p->next_right[c];
-        p->next_down[c] = -p->next_down[c];
-    }
 }
 
 static void set_planes(planes *p, const plt_beam *b, const plt_record *record) {
@@ -92,10 +77,6 @@ static void set_planes(planes *p, const plt_beam *b, const plt_record *record) {
     p->volume_error = VOLUME_ERROR * (size[0] * size[1] * size[2] + PLT_PLANE_LEAST);
     p->error = SHAPE_ERROR * (largest * largest * largest) / __builtin_fabsf(p->volume);
     p->near = NEAR_ERROR * largest;
-    p->is_facing = __builtin_fabsf(p->volume) > p->volume_error && p->error <= ERROR_MOST;
-    if (p->is_facing && p->volume < 0.0f) {
-        turn(p);
-    }
 }
 
 /* The least and the greatest t that the exact test may give to a hit, or less and greater. */
@@ -124,28 +105,33 @@ static bounds bounds_of(const planes *p, const float at[3], const float beside[3
     return t;
 }
 
-/* Bits: 1, all are above some plane; 2, all are below one; 4, of one neither is sure. Both 1 and 2:
- * all are outside. */
-static inline unsigned sides_of(const planes *p, const float at[3], const float beside[3]) {
+/* Bits: 1, all are above some plane; 2, all are below one; 4, of one neither is sure. */
+static inline unsigned sides_of(const float at[3], const float beside[3]) {
     unsigned sides = 0;
-    if (p->is_facing) {
-        if (at[0] < -beside[0] || at[1] < -beside[1] || at[2] < -beside[2]) {
-            return 3;
-        }
-        return at[0] > beside[0] && at[1] > beside[1] && at[2] > beside[2] ? 1 : 4;
-    }
     PLT_UNROLLED for (int c = 0; c < 3; c++) {
         sides |= at[c] > beside[c] ? 1u : at[c] < -beside[c] ? 2u : 4u;
     }
     return sides;
 }
 
-/* All samples of a pixel together. */
-typedef struct whole {
+/* A pixel. */
+typedef struct samples {
     float at[3]; /* planes in its middle */
     int is_inside;
-    bounds t;
-} whole;
+    bounds t; /* of all samples */
+} samples;
+
+/* In sample (column, row) of the square. */
+static inline void planes_in(const plt_view *v, const planes *p, const samples *of, uint32_t column,
+                             uint32_t row, float at[3]) {
+    const uint32_t last = v->across - 1;
+    const float size = 1.0f / (float)(int32_t)v->across, half = 0.5f * (float)(int32_t)last;
+    const float x = ((float)(int32_t)(column & last) - half + v->aside[row & last]) * size;
+    const float y = ((float)(int32_t)(row & last) - half - v->aside[column & last]) * size;
+    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+        at[c] = of->at[c] + (x * p->right[c] + y * p->down[c]);
+    }
+}
 
 /* One that is not surely outside. */
 static void test_sample(plt_beam *b, const plt_record *record, const bounds *t, int is_inside,
@@ -161,41 +147,28 @@ static void test_sample(plt_beam *b, const plt_record *record, const bounds *t, 
     }
 }
 
-/* One of a pixel that does not have one bound for all or is not inside as a whole. */
-static inline void test_alone(plt_beam *b, const plt_record *record, const planes *p,
-                              const whole *of, const float at[3], uint32_t column, uint32_t row) {
-    const unsigned sides = sides_of(p, at, p->margin);
+/* One of a pixel that does not have one bound for all and is not inside as a whole. */
+static void test_alone(plt_beam *b, const plt_record *record, const planes *p, const samples *of,
+                       uint32_t column, uint32_t row) {
+    float at[3];
+    planes_in(b->view, p, of, column, row, at);
+    const unsigned sides = sides_of(at, p->margin);
     if ((sides & 3u) != 3) {
         const bounds t = of->t.is_known ? of->t : bounds_of(p, at, p->margin);
         test_sample(b, record, &t, (sides & 4u) == 0, column, row);
     }
 }
 
-/* Those of the pixel whose first is at (x, y), one by one: a rotated square around its middle. */
-static void test_some(plt_beam *b, const plt_record *record, const planes *p, const whole *of,
-                      uint32_t x, uint32_t y) {
-    const uint32_t across = b->view->across;
-    const float half = 0.5f * (float)(int32_t)(across - 1);
-    for (uint32_t row = 0; row < across; row++) {
-        const float down = (float)(int32_t)row - half;
-        float right = -half;
-        for (uint32_t column = 0; column < across; column++, right += 1.0f) {
-            float at[3];
-            PLT_UNROLLED for (int c = 0; c < 3; c++) {
-                at[c] = of->at[c] + (right * p->next_right[c] + down * p->next_down[c]);
+/* Those of the pixel whose first is at (x, y). */
+static void test_pixel(plt_beam *b, const plt_record *record, const planes *p, const samples *of,
+                       uint32_t x, uint32_t y) {
+    for (uint32_t row = y; row < y + b->view->across; row++) {
+        for (uint32_t column = x; column < x + b->view->across; column++) {
+            if (of->is_inside && of->t.is_known) {
+                test_sample(b, record, &of->t, 1, column, row);
+            } else {
+                test_alone(b, record, p, of, column, row);
             }
-            test_alone(b, record, p, of, at, x + column, y + row);
-        }
-    }
-}
-
-/* All of them, which are inside, and have one bound. */
-static void test_every(plt_beam *b, const plt_record *record, const bounds *t, uint32_t x,
-                       uint32_t y) {
-    const uint32_t across = b->view->across;
-    for (uint32_t row = y; row < y + across; row++) {
-        for (uint32_t column = x; column < x + across; column++) {
-            test_sample(b, record, t, 1, column, row);
         }
     }
 }
@@ -214,17 +187,13 @@ void plt_beam_test_samples(plt_beam *b, const plt_record *record, const plt_beam
     set_planes(&p, b, record);
     for (uint32_t y = part->top / across; across * y <= part->bottom; y++) {
         for (uint32_t x = part->left / across; across * x <= part->right; x++) {
-            whole of;
+            samples of;
             planes_at(&p, x, y, of.at);
-            const unsigned sides = sides_of(&p, of.at, p.beside);
+            const unsigned sides = sides_of(of.at, p.beside);
             if ((sides & 3u) != 3) {
                 of.is_inside = (sides & 4u) == 0;
                 of.t = bounds_of(&p, of.at, p.beside);
-                if (of.is_inside && of.t.is_known) {
-                    test_every(b, record, &of.t, across * x, across * y);
-                } else {
-                    test_some(b, record, &p, &of, across * x, across * y);
-                }
+                test_pixel(b, record, &p, &of, across * x, across * y);
             }
         }
     }

@@ -227,7 +227,14 @@ PLT_INLINED void turn(footprint *f, projected *p) {
 }
 
 PLT_INLINED float edge_of(const plt_margins *m, float size) {
-    return size <= PLT_SMALL_SIZE ? m->small_edge + m->small_growth * size : m->edge;
+#if PLT_WITH_SAMPLES
+    if (size <= PLT_SMALL_SIZE) {
+        return m->small_edge + m->small_growth * size;
+    }
+#else
+    (void)size;
+#endif
+    return m->edge;
 }
 
 PLT_INLINED void set_edges(footprint *f, projected *p, const plt_margins *m) {

@@ -90,6 +90,7 @@ static void set_pixels(plt_margins *m, float across, float row, float square, fl
                        : PLT_LINE_WIDEST;
 }
 
+#if PLT_WITH_SAMPLES
 /* The same of a triangle of `size` that meets a square: its corners are all near. */
 static float off_by_of(const plt_margins *m, float across, float row, float rays, float farthest,
                        float size) {
@@ -109,6 +110,7 @@ static void set_small(plt_margins *m, float across, float row, float rays, float
         m->small_growth = 1.5f / PLT_SMALL_SIZE * (most - least) + 19.0f * PLT_U;
     }
 }
+#endif
 
 void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, uint32_t side,
                      const plt_box *scene, float reach) {
@@ -128,7 +130,9 @@ void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, 
     m->direction = 3.0f * farthest;
     const float rays = 13.0f * (1.0f + square) * term + 4.0f * (1.0f + square);
     set_pixels(m, rows, row, square, rays, plt_view_most(v, 0.0f));
+#if PLT_WITH_SAMPLES
     set_small(m, rows, row, rays, farthest);
+#endif
     m->corner = corner < CORNER_MOST ? corner : CORNER_MOST;
     const float beside = plt_margins_reach(m);
     const int is_told = beside < PIXELS_TOLD && 16.0f * beside < m->corner;
