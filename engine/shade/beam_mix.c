@@ -170,8 +170,9 @@ static void shade(plt_beam *b, plt_sampling *s, const place *at, uint32_t bit, u
 static void shade_nothing(const plt_beam *b, const plt_sampling *s, const uint8_t *sky,
                           uint8_t *rgb, uint32_t row_bytes) {
     static const uint8_t black[3] = {0, 0, 0};
-    for (uint32_t y = 0; y < b->rows / s->across; y++, rgb += row_bytes, sky += 3) {
-        for (uint32_t x = 0; x < b->columns / s->across; x++) {
+    const uint32_t columns = b->columns / s->across, rows = b->rows / s->across;
+    for (uint32_t y = 0; y < rows; y++, rgb += row_bytes, sky += 3) {
+        for (uint32_t x = 0; x < columns; x++) {
             memcpy(rgb + 3 * x, has_depths(s) ? black : sky, 3);
         }
     }
@@ -183,6 +184,10 @@ static void shade_row(plt_beam *b, plt_sampling *s, uint32_t y, const uint8_t *s
     const uint32_t first_x = b->square.x / across, row = b->square.y / across + y;
     const uint8_t red = sky[0], green = sky[1], blue = sky[2];
     const int depths = has_depths(s), some = s->columns > 0;
+    float down[3];
+    PLT_UNROLLED for (int a = 0; a < 3; a++) {
+        down[a] = (float)(int32_t)row * s->middle.down[a];
+    }
     const plt_pixel *sample = sample_at(b, 0, across * y);
     place at = {.y = across * y, .sky = sky};
     for (uint32_t x = 0; at.x < b->columns; x++, rgb += 3, at.x += across, sample += across) {
@@ -196,8 +201,11 @@ static void shade_row(plt_beam *b, plt_sampling *s, uint32_t y, const uint8_t *s
             rgb[2] = blue;
             continue;
         }
-        float dir[3];
-        plt_view_direction(&s->middle, first_x + x, row, dir);
+        float dir[3]; /* as plt_view_direction has it */
+        const float px = (float)(int32_t)(first_x + x);
+        PLT_UNROLLED for (int a = 0; a < 3; a++) {
+            dir[a] = (s->middle.corner[a] + px * s->middle.right[a]) + down[a];
+        }
         plt_sight_set(&at.seen, dir);
         shade(b, s, &at, plt_mixed_bit(s, x, y), record, last, rgb);
     }

@@ -105,7 +105,7 @@ plt_beam_counts BEAM_TRACE(plt_beam *b, plt_traversal *t, uint32_t visits) {
         }
         if (met) {
             n.triangles += BEAM_LEAF(b, t, plt_link_index(at.link), plt_link_lists(at.link));
-            if (b->is_stored && b->open == 0) {
+            if (b->is_stored && b->open == 0 && top > bottom) {
                 plt_beam_update_far(b);
             }
         }

@@ -3,6 +3,7 @@
  * And all of them by planes through the eye and a triangle's edges, where it is not projected.
  *
  * SPDX-License-Identifier: MIT */
+#include "engine/base/float_bits.h"
 #include "engine/shade/footprint.h"
 #include "engine/trace/triangle_common.h"
 
@@ -94,13 +95,16 @@ void plt_beam_test_planes(plt_beam *b, const plt_record *record) {
 /* ---- the farthest pixel -----------------------------------------------------------------------
  */
 
+/* No t is negative: so they are in the order of their bits. */
 void plt_beam_update_far(plt_beam *b) {
+    int32_t most = 0;
     b->is_stored = 0;
-    b->far = 0.0f;
     for (uint32_t y = 0; y < b->rows; y++) {
-        const plt_pixel *row = &b->pixel[y * b->square.side];
-        for (uint32_t x = 0; x < b->columns; x++) {
-            b->far = row[x].t > b->far ? row[x].t : b->far;
+        const plt_pixel *p = &b->pixel[y * b->square.side], *end = p + b->columns;
+        for (; p < end; p++) {
+            const int32_t t = (int32_t)plt_bits_of(p->t);
+            most = t > most ? t : most;
         }
     }
+    b->far = plt_float_of((uint32_t)most);
 }

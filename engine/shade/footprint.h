@@ -35,7 +35,9 @@ PLT_INLINED void test_single(plt_beam *b, candidate *c, projected *p) {
     footprint f;
     set_at_pixel(&f, p, b, x, y);
     set_edges(&f, p, &b->margins);
-    test_inside(b, c, p, &f, f.at, x, y);
+    if (!is_outside(&f, f.at)) {
+        test_inside(b, c, p, &f, f.at, x, y);
+    }
 }
 
 PLT_INLINED rectangle rectangle_of(const plt_beam *b, const projected *p) {

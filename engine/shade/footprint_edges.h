@@ -150,14 +150,16 @@ static inline const plt_record *record_of(plt_beam *b, candidate *c) {
     return c->record;
 }
 
-/* Surely inside and surely nearer: takes the pixel, with the greatest t it may have. What is not
- * surely beside or behind either is tested exactly. */
+PLT_INLINED int is_outside(const footprint *f, const float e[3]) {
+    const float out = -f->error;
+    return !(e[0] >= out && e[1] >= out && e[2] >= out);
+}
+
+/* Not outside. Surely inside and surely nearer: takes the pixel, with the greatest t it may have.
+ * What is not surely beside or behind either is tested exactly. */
 PLT_INLINED void test_inside(plt_beam *b, candidate *c, const projected *p, footprint *f,
                              const float e[3], uint32_t x, uint32_t y) {
-    const float in = f->error, out = -in;
-    if (!(e[0] >= out && e[1] >= out && e[2] >= out)) {
-        return;
-    }
+    const float in = f->error;
     plt_pixel *pixel = &b->pixel[y * b->square.side + x];
     if (f->slack < 0.0f) {
         f->slack = slack_of(&b->margins, range_of(p->over), p->size, f->error, f->area);
@@ -224,9 +226,20 @@ PLT_INLINED void turn(footprint *f, projected *p) {
     }
 }
 
+PLT_INLINED float edge_of(const plt_margins *m, float size) {
+#if PLT_WITH_SAMPLES
+    if (size <= PLT_SMALL_SIZE) {
+        return m->small_edge + m->small_growth * size;
+    }
+#else
+    (void)size;
+#endif
+    return m->edge;
+}
+
 PLT_INLINED void set_edges(footprint *f, projected *p, const plt_margins *m) {
     f->area = f->at[0] + f->at[1] + f->at[2];
-    f->error = m->edge * p->size + m->edge_least;
+    f->error = edge_of(m, p->size) * p->size + m->edge_least;
     f->slack = -1.0f;
     if (__builtin_fabsf(f->area) <= 12.0f * f->error) { /* its sign is open: no pixel is left out */
         f->error = f->slack = PLT_UNKNOWN;
@@ -267,15 +280,24 @@ PLT_INLINED void set_steps(steps *s, const plt_beam *b, const projected *p) {
     }
 }
 
-/* The step that follows a line; `last`: of a pixel. */
-PLT_INLINED const float *step_after(const float of[PLT_STEPS][3], uint32_t line, uint32_t last) {
+PLT_INLINED void step(float e[3], const float by[3]) {
+    PLT_UNROLLED for (int k = 0; k < 3; k++) {
+        e[k] += by[k];
+    }
+}
+
+/* From a line to the next one; `last`: of a pixel. */
+PLT_INLINED void step_from(float e[3], const float by[PLT_STEPS][3], uint32_t line, uint32_t last) {
 #if PLT_WITH_SAMPLES
-    return (line & last) == last ? of[1] : of[0];
+    if ((line & last) == last) {
+        step(e, by[1]);
+        return;
+    }
 #else
     (void)line;
     (void)last;
-    return of[0];
 #endif
+    step(e, by[0]);
 }
 
 PLT_INLINED void test_all(plt_beam *b, candidate *c, const projected *p, const rectangle *r,
@@ -284,16 +306,12 @@ PLT_INLINED void test_all(plt_beam *b, candidate *c, const projected *p, const r
     for (uint32_t y = r->top; y <= r->bottom; y++) {
         float e[3] = {f->at[0], f->at[1], f->at[2]};
         for (uint32_t x = r->left; x <= r->right; x++) {
-            test_inside(b, c, p, f, e, x, y);
-            const float *right = step_after((const float(*)[3])s->right, x, last);
-            PLT_UNROLLED for (int k = 0; k < 3; k++) {
-                e[k] += right[k];
+            if (!is_outside(f, e)) {
+                test_inside(b, c, p, f, e, x, y);
             }
+            step_from(e, (const float(*)[3])s->right, x, last);
         }
-        const float *down = step_after((const float(*)[3])s->down, y, last);
-        PLT_UNROLLED for (int k = 0; k < 3; k++) {
-            f->at[k] += down[k];
-        }
+        step_from(f->at, (const float(*)[3])s->down, y, last);
     }
 }
 

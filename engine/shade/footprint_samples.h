@@ -79,19 +79,19 @@ static inline int take_pixel(plt_beam *b, candidate *c, const projected *p, cons
     const float over = middle[0] * p->over[0] + middle[1] * p->over[1] + middle[2] * p->over[2];
     const float slack = f->slack + s->over_spread, least = over - slack, most = over + slack;
     plt_pixel *first = &b->pixel[y * side + x];
-    uint32_t behind = 0, nearer = 0;
+    float nearest = first->t, farthest = first->t;
     if (!(slack <= PLT_SLACK_MOST * over)) {
         return 0;
     }
     for (uint32_t row = 0; row < across; row++) {
         const plt_pixel *pixel = &first[row * side];
         for (uint32_t column = 0; column < across; column++) {
-            behind += most * pixel[column].t < f->area;
-            nearer += least * (pixel[column].t * PLT_NEARER) > f->area;
+            nearest = pixel[column].t < nearest ? pixel[column].t : nearest;
+            farthest = pixel[column].t > farthest ? pixel[column].t : farthest;
         }
     }
-    if (nearer < across * across) {
-        return behind == across * across;
+    if (!(least * (nearest * PLT_NEARER) > f->area)) {
+        return most * farthest < f->area;
     }
     const uint32_t record = (uint32_t)(record_of(b, c) - b->records) | PLT_PIXEL_BOUND;
     const float t = f->area / least;

@@ -6,10 +6,15 @@
 #include "engine/shade/lines.h"
 #include "engine/trace/triangle_common.h"
 
-#define CORNER_MOST 1024.0f   /* pixels */
-#define PIXELS_MOST 1024.0f   /* margins above leave out no line */
-#define PIXELS_TOLD 4.0f      /* above, what meets a line may yet be far beside the square */
-#define OBLIQUE_MOST 16384.0f /* 2^14 */
+#define CORNER_MOST 1024.0f /* pixels */
+#define PIXELS_MOST 1024.0f /* margins above leave out no line */
+#define PIXELS_TOLD 4.0f    /* above, what meets a line may yet be far beside the square */
+#define SMALL_BESIDE                                                                               \
+    24.0f               /* no corner of what meets a square is further from its first pixel        \
+                         * than that and the triangle's size */
+#define SMALL_TOLD 1.0f /* where margins are wider, one may be */
+#define EDGE_BESIDE (60.0f * PLT_U) /* as samples may be beside a triangle's lines */
+#define OBLIQUE_MOST 16384.0f       /* 2^14 */
 
 static float dot(const float a[3], const float b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -56,30 +61,56 @@ static float least_depth(const float row_w[3], const float eye[3], const plt_box
     return plt_along(q, row_w);
 }
 
-/* The last factor: of the bias `pixels` is a part. */
-static void set_pixels(plt_margins *m, float across, float row, float square, float term,
+/* Between a corner that is projected and a ray, in pixels. `beside`: of the corner's x or y, times
+ * `row`, as a share of `across`. The last factor: of the bias the result is a part. */
+static float off_by(float across, float row, float direction, float beside, float rays,
+                    float first) {
+    const float bias = 9.0f * row * direction;
+    const float sum = across * ((8.5f + 7.5f * beside) * direction + rays) + bias * first + 128.0f;
+    return PLT_U * sum / (1.0f - PLT_U * bias);
+}
+
+static void set_pixels(plt_margins *m, float across, float row, float square, float rays,
                        float aside) {
-    const float bias = 9.0f * row * m->direction;
 #if PLT_WITH_SAMPLES
     const float first = PLT_LINE_FIRST + aside;
 #else
     const float first = PLT_LINE_FIRST;
     (void)aside;
 #endif
-    const float sum = across * ((8.5f + 7.5f * larger(0.5f, square)) * m->direction +
-                                13.0f * (1.0f + square) * term + 4.0f * (1.0f + square)) +
-                      bias * first + 128.0f;
-    m->pixels = PLT_U * sum / (1.0f - PLT_U * bias);
+    m->pixels = off_by(across, row, m->direction, larger(0.5f, square), rays, first);
 #if PLT_WITH_SAMPLES
     m->reach = m->pixels + aside;
 #endif
     m->bias = PLT_LINE_FIRST + plt_margins_reach(m);
-    m->edge = 1.5f * m->pixels + 40.0f * PLT_U * across;
-    m->edge_least = 3.0f * m->pixels * m->pixels;
+    m->edge = 1.5f * m->pixels + EDGE_BESIDE + 40.0f * PLT_U * across;
+    m->edge_least = 3.0f * m->pixels * m->pixels + EDGE_BESIDE;
     const int is_told = m->pixels >= 0.0f && m->pixels < PIXELS_MOST; /* not where too wide */
     m->lines = is_told ? (int32_t)(plt_margins_reach(m) * (float)(1 << PLT_LINE_BITS)) + 2
                        : PLT_LINE_WIDEST;
 }
+
+#if PLT_WITH_SAMPLES
+/* The same of a triangle of `size` that meets a square: its corners are all near. */
+static float off_by_of(const plt_margins *m, float across, float row, float rays, float farthest,
+                       float size) {
+    const float reach = (SMALL_BESIDE + size) * m->step;
+    return off_by(across, row, farthest + 2.0f * reach, reach / farthest,
+                  rays + 4.0f * (reach / farthest), m->bias);
+}
+
+/* It grows faster and faster with the size: between two it is below the line that joins them. */
+static void set_small(plt_margins *m, float across, float row, float rays, float farthest) {
+    const float least = off_by_of(m, across, row, rays, farthest, 0.0f);
+    const float most = off_by_of(m, across, row, rays, farthest, PLT_SMALL_SIZE);
+    m->small_edge = m->edge;
+    m->small_growth = 0.0f;
+    if (m->pixels < SMALL_TOLD && most < m->pixels) {
+        m->small_edge = 1.5f * least + EDGE_BESIDE;
+        m->small_growth = 1.5f / PLT_SMALL_SIZE * (most - least) + 19.0f * PLT_U;
+    }
+}
+#endif
 
 void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, uint32_t side,
                      const plt_box *scene, float reach) {
@@ -97,7 +128,11 @@ void plt_margins_set(plt_margins *m, const plt_view *v, const plt_frame *frame, 
     const float corner = 0.5f * farthest / step;
     m->step = step;
     m->direction = 3.0f * farthest;
-    set_pixels(m, rows, row, square, term, plt_view_most(v, 0.0f));
+    const float rays = 13.0f * (1.0f + square) * term + 4.0f * (1.0f + square);
+    set_pixels(m, rows, row, square, rays, plt_view_most(v, 0.0f));
+#if PLT_WITH_SAMPLES
+    set_small(m, rows, row, rays, farthest);
+#endif
     m->corner = corner < CORNER_MOST ? corner : CORNER_MOST;
     const float beside = plt_margins_reach(m);
     const int is_told = beside < PIXELS_TOLD && 16.0f * beside < m->corner;

@@ -10,6 +10,10 @@
 
 #include "engine/shade/camera.h"
 
+/* Width and height together of a triangle whose corners are all near the square that it meets, in
+ * pixels. */
+#define PLT_SMALL_SIZE 128.0f
+
 typedef struct plt_margins {
     float pixels; /* between a projected corner and a ray, in pixels */
 #if PLT_WITH_SAMPLES
@@ -17,11 +21,15 @@ typedef struct plt_margins {
 #endif
     float bias;             /* of coordinates in pixels: PLT_LINE_FIRST and plt_margins_reach */
     float edge, edge_least; /* of edge functions: times width and height, and added to that */
-    int32_t lines;          /* twice plt_margins_reach, as plt_lines_between takes it off */
-    float corner; /* farthest corner from a square's first pixel that is projected, in pixels */
-    float size;   /* width and height of a triangle that needs no look at its corners, in pixels */
-    float depth;  /* of a corner whose x alone says that it is beside a square */
-    float plane;  /* of a plane through the eye and an edge, times the corners' distances */
+#if PLT_WITH_SAMPLES
+    float small_edge, small_growth; /* of a small triangle, instead of `edge`: of the smallest,
+                                     * and how much it grows with width and height */
+#endif
+    int32_t lines; /* twice plt_margins_reach, as plt_lines_between takes it off */
+    float corner;  /* farthest corner from a square's first pixel that is projected, in pixels */
+    float size;    /* width and height of a triangle that needs no look at its corners, in pixels */
+    float depth;   /* of a corner whose x alone says that it is beside a square */
+    float plane;   /* of a plane through the eye and an edge, times the corners' distances */
     float row_w[3];   /* w: of q = corner - eye, depth in directions through pixels */
     float det;        /* right . (down x direction), of every pixel */
     float step;       /* between the directions of two pixels */

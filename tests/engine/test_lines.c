@@ -76,30 +76,102 @@ static void widest(void) {
 }
 
 /* Of a view of any field, its tangent below 2^`widest`, and any frame. */
-static int any_margins(random_state *r, uint32_t widest, plt_margins *m, uint32_t *side) {
+static int any_margins(random_state *r, uint32_t widest, plt_view *v, plt_frame *f, plt_margins *m,
+                       uint32_t *side) {
     static const plt_box box = {{-1, -1, -1}, {1, 1, 1}};
     const int power = (int)random_below(r, widest + 24) - 24;
     const float tangent = ldexpf(random_float(r, 1.0f, 2.0f), power);
-    plt_frame f = {.width = (uint16_t)(1 + random_below(r, 16000)),
-                   .height = (uint16_t)(1 + random_below(r, 16000)),
-                   .camera = {.eye = {0, 0, 3}, .up = {0, 1, 0}, .tan_half_fov = tangent}};
-    plt_view v;
+    *f = (plt_frame){.width = (uint16_t)(1 + random_below(r, 16000)),
+                     .height = (uint16_t)(1 + random_below(r, 16000)),
+                     .camera = {.eye = {0, 0, 3}, .up = {0, 1, 0}, .tan_half_fov = tangent}};
     *side = 2u << random_below(r, 4);
-    if (plt_view_set(&v, &f) != PLT_OK) {
+    if (plt_view_set(v, f) != PLT_OK) {
         return 0;
     }
-    plt_margins_set(m, &v, &f, *side, &box, 5.0f);
+    plt_margins_set(m, v, f, *side, &box, 5.0f);
+    return 1;
+}
+
+static double length_of(const float v[3]) {
+    return sqrt((double)v[0] * (double)v[0] + (double)v[1] * (double)v[1] +
+                (double)v[2] * (double)v[2]);
+}
+
+/* The letters of 7.7, in double. */
+typedef struct letters {
+    double s, F, M, A, c, k;
+    double det;
+} letters;
+
+static letters letters_of(const plt_view *v, const plt_frame *f, const plt_margins *m,
+                          uint32_t side) {
+    const double right = length_of(v->right), down = length_of(v->down);
+    letters l = {.s = fmax(right, down), .det = fabs((double)m->det)};
+    for (int i = 0; i < 4; i++) {
+        float d[3];
+        plt_view_point(v, i & 1 ? (float)(f->width - 1) : 0.0f,
+                       i & 2 ? (float)(f->height - 1) : 0.0f, d);
+        l.F = fmax(l.F, length_of(d));
+    }
+    for (int a = 0; a < 3; a++) {
+        l.M = fmax(l.M, fabs((double)v->corner[a]) + f->width * fabs((double)v->right[a]) +
+                            f->height * fabs((double)v->down[a]));
+    }
+    l.A = l.s * l.F / l.det;
+    l.c = right * down / l.det;
+    l.k = side * l.s / l.F;
+    return l;
+}
+
+/* What edges of a triangle of `size` have to have that meets a square: its corners are within 24
+ * pixels and that of the square's first. */
+static double least_edge(const letters *l, const plt_margins *m, double size) {
+    const double h = (size + 24.0) * l->s, direction = l->F + 2.0 * h;
+    const double sum = l->A * ((8.5 + 7.5 * h / l->F) * direction + 13.0 * (1.0 + l->k) * l->M +
+                               4.0 * (1.0 + l->k + h / l->F)) +
+                       9.0 * direction * (double)m->bias * l->c + 128.0;
+    return 0x1p-24 * (1.5 * sum + 18.0 * size);
+}
+
+/* Of large triangles, and of 1 / t. */
+static void check_others(const letters *l, const plt_margins *m) {
+    const double u = 0x1p-24, edge = 1.5 * (double)m->pixels + 37.0 * u * l->A;
+    const double t = u * (110.0 * l->c * l->F + 11.0 * l->c * l->M + 100.0);
+    CHECK((double)m->edge >= edge && (double)m->edge < 1.5 * edge + 0x1p-17,
+          "an edge of %g, not %g", (double)m->edge, edge);
+    CHECK((double)m->t >= 0.999 * t && (double)m->t < 1.2 * t, "%g of t, not %g", (double)m->t, t);
+    CHECK((double)m->shape >= 504.0 * u * l->F / l->det &&
+              (double)m->shape < 1000.0 * u * l->F / l->det,
+          "%g of shape", (double)m->shape);
+}
+
+/* Margins of small triangles are that at least, and close to it. */
+static uint32_t small_edges(const letters *l, const plt_margins *m) {
+    if (m->small_growth == 0.0f) {
+        CHECK(m->small_edge == m->edge, "an edge of %g, not %g", (double)m->small_edge,
+              (double)m->edge);
+        return 0;
+    }
+    CHECK(m->pixels < 1.0f, "small ones, where corners are off by %g", (double)m->pixels);
+    for (float size = 0.0f; size <= PLT_SMALL_SIZE; size += 8.0f) {
+        const double least = least_edge(l, m, (double)size);
+        const double edge = (double)edge_of(m, size);
+        CHECK(edge > 0.99999 * least + 0x1p-19 && edge < 2.0 * least,
+              "%g pixels: an edge of %g, not %g", (double)size, edge, least);
+    }
     return 1;
 }
 
 /* What is taken off the least coordinate, added to all, and left to edges. */
 static void margins(void) {
     random_state r = {2};
-    uint32_t views = 0, told = 0, widest_seen = 0;
+    uint32_t views = 0, told = 0, widest_seen = 0, small = 0;
     for (uint32_t i = 0; i < 4000; i++) {
         plt_margins m;
+        plt_frame f;
+        plt_view v;
         uint32_t side;
-        if (!any_margins(&r, 10, &m, &side) || !m.project) {
+        if (!any_margins(&r, 10, &v, &f, &m, &side) || !m.project) {
             continue;
         }
         const double eps = (double)m.pixels, taken = m.lines * UNIT;
@@ -114,12 +186,16 @@ static void margins(void) {
                                 m.size == m.corner - (float)side),
               "%g pixels, corners up to %g: no look below %g", eps, (double)m.corner,
               (double)m.size);
+        const letters l = letters_of(&v, &f, &m, side);
+        check_others(&l, &m);
+        small += small_edges(&l, &m);
         views++;
         told += m.size > 0.0f;
         widest_seen += most && eps < 1e6;
     }
-    CHECK(views > 1000 && told > 500 && widest_seen > 20,
-          "%u views, %u of narrow margins, %u widest", views, told, widest_seen);
+    CHECK(views > 1000 && told > 500 && widest_seen > 20 && small > 300,
+          "%u views, %u of narrow margins, %u widest, %u of small ones", views, told, widest_seen,
+          small);
 }
 
 /* Of the widest fields, which project nothing, the sum that is solved for `pixels` has a negative
@@ -129,8 +205,10 @@ static void too_wide(void) {
     uint32_t views = 0;
     for (uint32_t i = 0; i < 4000; i++) {
         plt_margins m;
+        plt_frame f;
+        plt_view v;
         uint32_t side;
-        if (any_margins(&r, 20, &m, &side) && !m.project) {
+        if (any_margins(&r, 20, &v, &f, &m, &side) && !m.project) {
             CHECK(m.lines >= 0 && m.lines <= PLT_LINE_WIDEST, "%g pixels: %d taken off",
                   (double)m.pixels, m.lines);
             views += !(m.pixels >= 0.0f);
@@ -141,7 +219,7 @@ static void too_wide(void) {
 
 /* A triangle of whole coordinates, turned or not: its own corners are on its edges, to the bit. */
 static void corners(void) {
-    plt_margins m = {.pixels = 0.25f, .bias = 16.25f, .edge = 0.0f, .edge_least = 0.0f};
+    plt_margins m = {.pixels = 0.25f, .bias = 16.25f};
 #if PLT_WITH_SAMPLES
     m.reach = m.pixels;
 #endif
@@ -183,7 +261,7 @@ static void near_ones(void) {
 
 /* A right-angled triangle with legs of 4, whose corners go around either way. */
 static footprint of_size(float edge, int turned) {
-    const plt_margins m = {.pixels = 0.0f, .bias = 16.0f, .edge = edge, .edge_least = 0.5f};
+    const plt_margins m = {.bias = 16.0f, .small_edge = edge, .edge_least = 0.5f};
     projected p = {.x = {16, 20, 16}, .y = {16, 16, 20}, .over = {1, 1, 1}, .size = 8.0f};
     footprint f;
     if (turned) {
@@ -209,6 +287,48 @@ static void open_sign(void) {
     }
 }
 
+#if PLT_WITH_SAMPLES
+/* Edge functions, and their sum times 1 / depth, differ over a pixel's samples by as much as the
+ * spread says: no sample is further from the middle, and one is as far. */
+static void spreads(void) {
+    random_state r = {5};
+    for (uint32_t i = 0; i < 2000; i++) {
+        const uint32_t across = i % 2 ? 2 : 4;
+        const double half = 0.5 * (across - 1.0);
+        plt_frame f = {.width = 64, .height = 64, .camera = {.look = {0, 0, 1}, .up = {0, 1, 0}}};
+        plt_view v;
+        projected p = {.size = 1.0f};
+        slopes s;
+        double most[4] = {0, 0, 0, 0};
+        f.camera.tan_half_fov = 0.5f;
+        CHECK(plt_view_set(&v, &f) == PLT_OK, "a view");
+        plt_view_refine(&v, across);
+        for (int c = 0; c < 3; c++) {
+            p.x[c] = random_float(&r, -64.0f, 64.0f);
+            p.y[c] = random_float(&r, -64.0f, 64.0f);
+            p.over[c] = random_float(&r, 0.5f, 2.0f);
+        }
+        set_slopes(&s, &v, &p);
+        for (uint32_t k = 0; k < across * across; k++) {
+            const double x = (double)plt_view_x(&v, k % across, k / across) - half;
+            const double y = (double)plt_view_y(&v, k % across, k / across) - half;
+            double over = 0.0;
+            for (int c = 0; c < 3; c++) {
+                const double by = x * (double)s.right[c] + y * (double)s.down[c];
+                most[c] = fmax(most[c], fabs(by));
+                over += by * (double)p.over[c];
+            }
+            most[3] = fmax(most[3], fabs(over));
+        }
+        for (int c = 0; c < 4; c++) {
+            const double spread = (double)(c < 3 ? s.spread[c] : s.over_spread);
+            CHECK(spread >= most[c] - 1e-4 && spread <= most[c] + 1e-4, "a spread of %g, not %g",
+                  spread, most[c]);
+        }
+    }
+}
+#endif
+
 int main(void) {
     test("a stretch has the lines in it, and none that is twice its margin beside");
     stretches();
@@ -224,5 +344,9 @@ int main(void) {
     corners();
     test("of an area that is not beyond 12 errors no pixel is left out, and nothing hidden");
     open_sign();
+#if PLT_WITH_SAMPLES
+    test("what is linear differs over a pixel's samples by its spread");
+    spreads();
+#endif
     return test_done();
 }
