@@ -10,7 +10,6 @@
 #define PLT_SHADE_LIGHT_H
 
 #include "engine/base/linear.h"
-#include "engine/lanes/unroll.h"
 
 /* Up to 16 colours. */
 typedef struct plt_mix {
@@ -31,7 +30,7 @@ static inline void plt_mix_begin(plt_mix *m, int compares) {
 
 /* A colour that so many samples have. */
 static inline void plt_mix_add(plt_mix *m, const uint8_t rgb[3], uint32_t samples) {
-    PLT_UNROLLED for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++) {
         m->light[c] += samples * plt_linear[rgb[c]];
         m->total[c] += samples * rgb[c];
     }
