@@ -29,6 +29,7 @@ static int step(plt_wave_job *job) {
 static void clear(plt_wave *w) {
     memset(w->on, 0, sizeof w->on);
     w->taken = 0;
+    w->watched_rays = 0;
 }
 
 int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int looks,
@@ -37,7 +38,7 @@ int plt_wave_trace(plt_traversal *t, plt_packet *packet, uint32_t most, int look
     plt_wave_job job = {.wave = t->wave,
                         .traversal = t,
                         .packet = packet,
-                        .window = {looks ? window : 0, most, any},
+                        .window = {looks ? window : 0, most},
                         .rays = rays,
                         .hits = hits,
                         .count = count,
@@ -95,7 +96,7 @@ void plt_wave_watch(plt_traversal *t, enum plt_wave_kind kind, uint32_t rays) {
 
 void plt_wave_watch_end(plt_traversal *t) {
     plt_wave *w = t->wave;
-    const plt_wave_window window = {WATCH_WINDOW, w->watched_rays, w->watched == PLT_WAVE_SHADOWS};
-    plt_wave_density_packets(&w->density[w->watched], &window, w->watched_rays,
-                             t->stats.node_visits - w->visits_before);
+    const plt_wave_window window = {WATCH_WINDOW, w->watched_rays};
+    plt_wave_density_packets(&w->density[w->watched], &window, w->watched == PLT_WAVE_SHADOWS,
+                             w->watched_rays, t->stats.node_visits - w->visits_before);
 }

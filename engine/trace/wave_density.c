@@ -17,12 +17,12 @@ enum { LEAST_ALONE = 2 };
  * their limits are 1.25, 1.75 and 2.75 times as high for 8 to 2 rays per side. */
 enum { LIMIT_NEAREST = PLT_WAVE_VISIT_ONE / 10 * 21, LIMIT_ANY = PLT_WAVE_VISIT_ONE / 10 * 11 };
 
-static uint32_t limit_of(const plt_wave_window *window) {
+static uint32_t limit_of(uint32_t packet_rays, int any) {
     uint32_t side = 2;
-    while (side * side < window->packet_rays) {
+    while (side * side < packet_rays) {
         side *= 2;
     }
-    return (window->any ? LIMIT_ANY : LIMIT_NEAREST) / 16 * (12 + 64 / side);
+    return (any ? LIMIT_ANY : LIMIT_NEAREST) / 16 * (12 + 64 / side);
 }
 
 static uint32_t run_after(uint32_t run, int is_dense) {
@@ -30,9 +30,9 @@ static uint32_t run_after(uint32_t run, int is_dense) {
     return run == 0 || !is_dense ? 1 : (longer < RUN_MOST ? longer : RUN_MOST);
 }
 
-void plt_wave_density_packets(plt_wave_density *d, const plt_wave_window *window, uint32_t rays,
-                              uint64_t visits) {
-    const uint32_t limit = limit_of(window);
+void plt_wave_density_packets(plt_wave_density *d, const plt_wave_window *window, int any,
+                              uint32_t rays, uint64_t visits) {
+    const uint32_t limit = limit_of(window->packet_rays, any);
     const uint64_t most = (uint64_t)DENSE_MOST * limit * rays;
     const uint64_t now = visits < most / PLT_WAVE_VISIT_ONE ? visits * PLT_WAVE_VISIT_ONE : most;
     const unsigned shift = LOG2_WINDOWS + (unsigned)__builtin_ctz(window->rays); /* no division */

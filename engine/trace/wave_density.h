@@ -18,15 +18,15 @@ typedef struct plt_wave_density {
     uint32_t run;    /* windows of them, from one try of packets to the next */
 } plt_wave_density;
 
-/* Rays of packets: how large these are at most, and of how many a window is, a power of two. */
+/* Rays that are looked at together, a power of two, and those of a packet, at most. */
 typedef struct plt_wave_window {
     uint32_t rays, packet_rays;
-    int any; /* hit will do */
 } plt_wave_window;
 
-/* After `rays` of a window, or all of it, that went in packets, which visited so many nodes. */
-void plt_wave_density_packets(plt_wave_density *d, const plt_wave_window *window, uint32_t rays,
-                              uint64_t visits);
+/* After `rays` of a window, or all of it, that went in packets, which visited so many nodes; `any`
+ * hit was enough. */
+void plt_wave_density_packets(plt_wave_density *d, const plt_wave_window *window, int any,
+                              uint32_t rays, uint64_t visits);
 
 /* After rays that went by the wave because packets were dense: if hardly anything is there any
  * more, packets are tried again. */

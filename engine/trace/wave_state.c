@@ -129,19 +129,20 @@ static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t coun
         return plt_rays_are_narrow(rays, count, &scene->box, PLT_COHERENCE_NARROW_IN_BLOCKS);
     }
     if (plt_wave_density_is_high(&job->wave->density[PLT_WAVE_GIVEN], count)) {
-        job->is_dense = count == job->window.rays;
+        job->wave->watched_rays = count == job->window.rays ? count : 0;
         return 0;
     }
     return plt_rays_are_coherent(rays, count, &scene->box);
 }
 
 /* Of a window that packets would have had: it is traced, but for what is in flight. */
-static void learn_alone(plt_wave_job *job) {
-    if (job->is_dense) {
-        plt_wave_density_alone(&job->wave->density[PLT_WAVE_GIVEN], job->window.rays,
-                               job->traversal->stats.node_visits - job->visits_before);
+static void learn_alone(const plt_wave_job *job) {
+    plt_wave *w = job->wave;
+    if (w->watched_rays > 0) {
+        plt_wave_density_alone(&w->density[PLT_WAVE_GIVEN], w->watched_rays,
+                               job->traversal->stats.node_visits - w->visits_before);
     }
-    job->is_dense = 0;
+    w->watched_rays = 0;
 }
 
 /* A window in packets, of which the wave learns how dense boxes are. */
@@ -155,7 +156,7 @@ static int trace_window(plt_wave_job *job, const plt_ray *rays, uint32_t count) 
         const uint32_t left = count - i, now = left < most ? left : most;
         status = plt_trace_packet(t, job->packet, rays + i, hits + i, now, job->any);
     }
-    plt_wave_density_packets(&job->wave->density[PLT_WAVE_GIVEN], &job->window, count,
+    plt_wave_density_packets(&job->wave->density[PLT_WAVE_GIVEN], &job->window, job->any, count,
                              t->stats.node_visits - visits);
     return status;
 }
@@ -175,7 +176,7 @@ int plt_wave_look(plt_wave_job *job) {
         } else {
             t->stats.rays += now;
             t->stats.wave_rays += now;
-            job->visits_before = t->stats.node_visits;
+            job->wave->visits_before = t->stats.node_visits;
         }
     }
     return status;

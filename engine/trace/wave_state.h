@@ -80,7 +80,7 @@ typedef struct plt_wave {
     uint32_t ray_bytes;    /* of a ray in flight and its stack */
     uint32_t rays_in_flight;
     plt_wave_density density[PLT_WAVE_KINDS];
-    /* Of a packet that is watched. */
+    /* Of a packet that is watched; of given rays, of a window for packets that would be dense. */
     uint64_t visits_before;
     uint32_t watched_rays;
     enum plt_wave_kind watched;
@@ -98,9 +98,7 @@ typedef struct plt_wave_job {
     const plt_ray *rays;    /* NULL: those of the packet, which gets their hits */
     plt_hit *hits;
     uint32_t count, next;
-    uint32_t seen;          /* rays below are known to be incoherent */
-    int is_dense;           /* those of the last window: or, they are for packets that were */
-    uint64_t visits_before; /* of nodes, when that began */
+    uint32_t seen; /* rays below are known to be incoherent */
     int any;
     int is_begun;    /* the first rays are taken */
     uint32_t visits; /* of nodes, after which a step ends, all rays being at the same point of it */
