@@ -94,9 +94,9 @@ void plt_wave_watch(plt_traversal *t, enum plt_wave_kind kind, uint32_t rays) {
     w->visits_before = t->stats.node_visits;
 }
 
-void plt_wave_watch_end(plt_traversal *t) {
+void plt_wave_watch_end(plt_traversal *t, int any) {
     plt_wave *w = t->wave;
     const plt_wave_window window = {WATCH_WINDOW, w->watched_rays};
-    plt_wave_density_packets(&w->density[w->watched], &window, w->watched == PLT_WAVE_SHADOWS,
-                             w->watched_rays, t->stats.node_visits - w->visits_before);
+    plt_wave_density_packets(&w->density[w->watched], &window, any, w->watched_rays,
+                             t->stats.node_visits - w->visits_before);
 }

@@ -3,7 +3,8 @@
  * For rays that have nothing in common. A step of one ray is a visit of one node or a test of
  * four triangles; between two steps of a ray lie those of all others, which is the time that
  * memory has to bring what the next one needs. Which step comes next is arithmetic, not a
- * branch: rays are on one of three lists, and every list is worked off whole.
+ * branch: rays are on one of three lists, and each but that of rays
+ * that are done is worked off whole.
  *
  * Invariants: what is computed for a ray depends on it and the scene's box alone, by the
  * arithmetic of packet_set.c and triangle.c: hits are the same, bit for bit. A ray's stack holds
@@ -37,8 +38,9 @@ int plt_wave_packet_step(plt_traversal *t, plt_packet *packet, uint32_t visits);
  * next try of packets. */
 int plt_wave_suits(plt_traversal *t, const plt_packet *packet, enum plt_wave_kind kind);
 
-/* Before and after a packet that is not: learns of what use it was, by its visits. */
+/* Before and after a packet that is not: learns of what use it was, by its visits; `any` hit will
+ * do. */
 void plt_wave_watch(plt_traversal *t, enum plt_wave_kind kind, uint32_t rays);
-void plt_wave_watch_end(plt_traversal *t);
+void plt_wave_watch_end(plt_traversal *t, int any);
 
 #endif

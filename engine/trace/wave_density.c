@@ -37,8 +37,8 @@ void plt_wave_density_packets(plt_wave_density *d, const plt_wave_window *window
     const uint64_t now = visits < most / PLT_WAVE_VISIT_ONE ? visits * PLT_WAVE_VISIT_ONE : most;
     const unsigned shift = LOG2_WINDOWS + (unsigned)__builtin_ctz(window->rays); /* no division */
     d->visits = (uint32_t)(((((uint64_t)1 << shift) - rays) * d->visits + now) >> shift);
-    d->run = d->visits > limit ? run_after(d->run, now > (uint64_t)limit * rays) : 0;
-    d->dense = d->run * window->rays;
+    d->run = (uint8_t)(d->visits > limit ? run_after(d->run, now > (uint64_t)limit * rays) : 0);
+    d->dense = (uint16_t)(d->run * window->rays);
 }
 
 void plt_wave_density_alone(plt_wave_density *d, uint32_t rays, uint64_t visits) {

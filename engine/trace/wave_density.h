@@ -14,11 +14,12 @@ enum { PLT_WAVE_VISIT_ONE = 65536 }; /* one visit: so fine that single rays coun
 /* How dense boxes are for packets of rays of a kind; all 0 in the beginning. */
 typedef struct plt_wave_density {
     uint32_t visits; /* per ray of packets, a moving average, in PLT_WAVE_VISIT_ONE */
-    uint32_t dense;  /* rays that go by the wave, whether they are coherent or not */
-    uint32_t run;    /* windows of them, from one try of packets to the next */
+    uint16_t dense;  /* rays that go by the wave, whether they are coherent or not */
+    uint8_t run;     /* windows of them, from one try of packets to the next */
+    uint8_t pad;
 } plt_wave_density;
 
-/* Rays that are looked at together, a power of two, and those of a packet, at most. */
+/* Rays that are looked at together, a power of two, 256 at most, and those of a packet, at most. */
 typedef struct plt_wave_window {
     uint32_t rays, packet_rays;
 } plt_wave_window;
@@ -35,7 +36,7 @@ void plt_wave_density_alone(plt_wave_density *d, uint32_t rays, uint64_t visits)
 /* Whether the next `rays` go by the wave, as packets were dense: counts down. */
 static inline int plt_wave_density_is_high(plt_wave_density *d, uint32_t rays) {
     const int is_high = d->dense > 0;
-    d->dense -= rays < d->dense ? rays : d->dense;
+    d->dense = (uint16_t)(rays < d->dense ? d->dense - rays : 0);
     return is_high;
 }
 

@@ -120,6 +120,11 @@ static void ask_ahead(const plt_wave_job *job) {
     plt_prefetch(ahead + (left > 2 ? 2 : 0));
 }
 
+/* Of the rays that plt_trace was given. */
+static plt_wave_density *density_of(const plt_wave_job *job) {
+    return &job->wave->density[job->any ? PLT_WAVE_GIVEN_ANY : PLT_WAVE_GIVEN];
+}
+
 static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
     const plt_scene *scene = job->traversal->scene;
     if (job->window.rays == 0) {
@@ -128,8 +133,9 @@ static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t coun
     if (scene->bvh4 == NULL && scene->format == PLT_FORMAT_COMPACT) { /* dense or not */
         return plt_rays_are_narrow(rays, count, &scene->box, PLT_COHERENCE_NARROW_IN_BLOCKS);
     }
-    if (plt_wave_density_is_high(&job->wave->density[PLT_WAVE_GIVEN], count)) {
-        job->wave->watched_rays = count == job->window.rays ? count : 0;
+    if (plt_wave_density_is_high(density_of(job), count)) {
+        /* The first are not in flight yet when the next are looked at. */
+        job->wave->watched_rays = job->is_begun && count == job->window.rays ? count : 0;
         return 0;
     }
     return plt_rays_are_coherent(rays, count, &scene->box);
@@ -139,7 +145,7 @@ static int goes_in_packets(plt_wave_job *job, const plt_ray *rays, uint32_t coun
 static void learn_alone(const plt_wave_job *job) {
     plt_wave *w = job->wave;
     if (w->watched_rays > 0) {
-        plt_wave_density_alone(&w->density[PLT_WAVE_GIVEN], w->watched_rays,
+        plt_wave_density_alone(density_of(job), w->watched_rays,
                                job->traversal->stats.node_visits - w->visits_before);
     }
     w->watched_rays = 0;
@@ -156,7 +162,7 @@ static int trace_window(plt_wave_job *job, const plt_ray *rays, uint32_t count) 
         const uint32_t left = count - i, now = left < most ? left : most;
         status = plt_trace_packet(t, job->packet, rays + i, hits + i, now, job->any);
     }
-    plt_wave_density_packets(&job->wave->density[PLT_WAVE_GIVEN], &job->window, job->any, count,
+    plt_wave_density_packets(density_of(job), &job->window, job->any, count,
                              t->stats.node_visits - visits);
     return status;
 }

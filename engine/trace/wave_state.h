@@ -69,7 +69,13 @@ typedef struct plt_wave_found {
 } plt_wave_found;
 
 /* Rays that are told apart where packets are tried. */
-enum plt_wave_kind { PLT_WAVE_GIVEN, PLT_WAVE_BOUNCES, PLT_WAVE_SHADOWS, PLT_WAVE_KINDS };
+enum plt_wave_kind {
+    PLT_WAVE_GIVEN,
+    PLT_WAVE_GIVEN_ANY, /* and any hit will do */
+    PLT_WAVE_BOUNCES,
+    PLT_WAVE_SHADOWS,
+    PLT_WAVE_KINDS
+};
 
 /* Arrays of rays_in_flight each lie behind it, and the rays behind those. */
 typedef struct plt_wave {
@@ -98,9 +104,9 @@ typedef struct plt_wave_job {
     const plt_ray *rays;    /* NULL: those of the packet, which gets their hits */
     plt_hit *hits;
     uint32_t count, next;
-    uint32_t seen; /* rays below are known to be incoherent */
+    uint32_t seen; /* rays below were looked at, and go by the wave if they are not taken */
     int any;
-    int is_begun;    /* the first rays are taken */
+    int is_begun;    /* slots for rays in flight are on a list */
     uint32_t visits; /* of nodes, after which a step ends, all rays being at the same point of it */
 } plt_wave_job;
 

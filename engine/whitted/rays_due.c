@@ -120,7 +120,7 @@ int plt_rays_due_trace(const plt_whitted *w, plt_traversal *t, plt_packet *packe
     }
     const int status = plt_traverse(t, packet, visits);
     if (status == PLT_OK && w->is_watched) {
-        plt_wave_watch_end(t);
+        plt_wave_watch_end(t, packet->any);
     }
     return status;
 }

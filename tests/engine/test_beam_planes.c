@@ -132,6 +132,7 @@ static void check_planes(const planes *p, const scene *s, const double q[3][3]) 
 
 static void triangles(void) {
     random_state r = {1};
+    uint32_t seen = 0;
     for (uint32_t i = 0; i < 3000; i++) {
         plt_record record;
         double q[3][3];
@@ -140,6 +141,7 @@ static void triangles(void) {
         if (!any_scene(&r, i % 2 ? 2 : 4, &s)) {
             continue;
         }
+        seen++;
         memset(&record, 0, sizeof record);
         any_record(&r, &record, q);
         set_planes(&p, &s.beam, &record);
@@ -149,6 +151,7 @@ static void triangles(void) {
                          random_below(&r, PLT_PACKET_SIDE_MAX));
         }
     }
+    CHECK(seen > 1000, "%u scenes", (unsigned)seen);
 }
 
 /* Of planes that are sure t is the quotient, give or take what the exact test is off by. */
@@ -201,19 +204,17 @@ static void roundings(void) {
 /* One plane within its margin: nothing is sure. */
 static void sides(void) {
     static const float beside[3] = {1, 2, 4};
-    {
-        for (int c = 0; c < 3; c++) {
-            for (int sign = -1; sign <= 1; sign += 2) {
-                float at[3] = {9, 9, 9};
-                at[c] = 0.99f * (float)sign * beside[c];
-                CHECK((sides_of(at, beside) & 7u) == 5u, "plane %d at %g: %u", c, (double)at[c],
-                      sides_of(at, beside));
-                at[c] = -1.01f * beside[c];
-                CHECK((sides_of(at, beside) & 3u) == 3u, "plane %d at %g is not outside", c,
-                      (double)at[c]);
-                at[c] = 1.01f * beside[c];
-                CHECK(sides_of(at, beside) == 1u, "plane %d at %g is not inside", c, (double)at[c]);
-            }
+    for (int c = 0; c < 3; c++) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            float at[3] = {9, 9, 9};
+            at[c] = 0.99f * (float)sign * beside[c];
+            CHECK((sides_of(at, beside) & 7u) == 5u, "plane %d at %g: %u", c, (double)at[c],
+                  sides_of(at, beside));
+            at[c] = -1.01f * beside[c];
+            CHECK((sides_of(at, beside) & 3u) == 3u, "plane %d at %g is not outside", c,
+                  (double)at[c]);
+            at[c] = 1.01f * beside[c];
+            CHECK(sides_of(at, beside) == 1u, "plane %d at %g is not inside", c, (double)at[c]);
         }
     }
 }
