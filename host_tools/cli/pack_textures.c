@@ -146,6 +146,11 @@ void pack_textures_settle(pack_textures *t, mesh_corners *c, const char *name) {
             fprintf(stderr, "%s: left out its texture coordinates, as it has no picture\n", name);
         }
         c->wants_texcoords = 0;
+        for (int k = 0; k < 2; k++) {
+            heap_drop(c->texcoord[k]);
+            c->texcoord[k] = NULL;
+        }
+        c->texcoords = 0;
     }
 }
 

@@ -145,6 +145,18 @@ works "... its picture" render knot.plt -o knot.ppm --size 64x48 --shader smooth
 works "... read from its file" render knot.plt -o read.ppm --size 64x48 --shader smooth \
     --source read
 same knot.ppm read.ppm "... the same picture"
+printf 'newmtl a\nmap_Kd not-there.png\n' >lost.mtl
+{
+    printf 'mtllib lost.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n'
+    printf 'f 1/1 2/2 3/3\n'
+} >lost.obj
+for pages in tables pages; do
+    run pack lost.obj -o lost.plt --materials keep --smooth 40 --surface $pages
+    verdict "where a picture is lost, coordinates are said to be left out, and are ($pages)" "$(
+        [ "$status" -eq 0 ] || echo "status $status"
+        grep -q 'left out its texture coordinates, as it has no picture' err || cat err
+        number texcoord_bytes lost.plt | grep -qx 0 || "$PLANELET" info lost.plt)"
+done
 printf "v 0 0 0\nvn nan 0 0\n" >bad.obj
 refused "a normal that is none, with its line" bad.obj "line 2: the normal" \
     pack bad.obj -o x.plt --normals keep
