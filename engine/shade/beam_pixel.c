@@ -100,9 +100,9 @@ void plt_beam_update_far(plt_beam *b) {
     int32_t most = 0;
     b->is_stored = 0;
     for (uint32_t y = 0; y < b->rows; y++) {
-        const plt_pixel *p = &b->pixel[y * b->square.side], *end = p + b->columns;
-        for (; p < end; p++) {
-            const int32_t t = (int32_t)plt_bits_of(p->t);
+        const plt_pixel *row = &b->pixel[y * b->square.side];
+        for (uint32_t x = 0; x < b->columns; x++) {
+            const int32_t t = (int32_t)plt_bits_of(row[x].t);
             most = t > most ? t : most;
         }
     }
