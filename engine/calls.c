@@ -8,7 +8,7 @@
 #include "engine/schedule/batch_rays.h"
 #include "engine/task.h"
 #include "engine/texture_room.h"
-#include "engine/trace/rays.h"
+#include "engine/trace/ray_packets.h"
 #include "engine/trace/wave.h"
 
 const plt_info *plt_engine_info(const plt_engine *e) {

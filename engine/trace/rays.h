@@ -12,9 +12,4 @@
 int plt_trace_packet(plt_traversal *t, plt_packet *packet, const plt_ray *rays, plt_hit *hits,
                      uint32_t count, int any);
 
-/* Traces any number of rays, in packets of `most`, which are those of `packet`. PLT_OK, or what
- * a fetch failed with: then hits from that packet on are as they were. */
-int plt_trace_packets(plt_traversal *t, plt_packet *packet, uint32_t most, const plt_ray *rays,
-                      plt_hit *hits, uint32_t count, int any);
-
 #endif

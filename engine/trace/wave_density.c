@@ -8,8 +8,7 @@
  * about twice as many as before, if those were dense once more. */
 enum { LOG2_WINDOWS = 1, DENSE_MOST = 2, RUN_MOST = 127 };
 
-/* Where the wave visits fewer nodes per ray (DESIGN.md: of the wide form) there is hardly anything.
- */
+/* Where the wave visits fewer nodes per ray, wide or not, there is hardly anything. */
 enum { LEAST_ALONE = 2 };
 
 /* Visits per ray of packets of 16 x 16 that take as long as the wave. A ray that any hit will do

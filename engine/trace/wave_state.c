@@ -8,7 +8,7 @@
 #include "engine/base/small_stack.h"
 #include "engine/trace/coherence.h"
 #include "engine/trace/ray_bounds.h"
-#include "engine/trace/rays.h"
+#include "engine/trace/ray_packets.h"
 #include "engine/trace/triangle_common.h"
 
 /* By signs of a direction, bit 0 for x, plus 8 * the axis of its largest component. */
@@ -154,14 +154,9 @@ static void learn_alone(const plt_wave_job *job) {
 /* A window in packets, of which the wave learns how dense boxes are. */
 static int trace_window(plt_wave_job *job, const plt_ray *rays, uint32_t count) {
     plt_traversal *t = job->traversal;
-    plt_hit *hits = job->hits + job->next;
-    const uint32_t most = job->window.packet_rays;
     const uint64_t visits = t->stats.node_visits;
-    int status = PLT_OK;
-    for (uint32_t i = 0; i < count && status == PLT_OK; i += most) {
-        const uint32_t left = count - i, now = left < most ? left : most;
-        status = plt_trace_packet(t, job->packet, rays + i, hits + i, now, job->any);
-    }
+    const int status = plt_trace_packets(t, job->packet, job->window.packet_rays, rays,
+                                         job->hits + job->next, count, job->any);
     plt_wave_density_packets(density_of(job), &job->window, job->any, count,
                              t->stats.node_visits - visits);
     return status;

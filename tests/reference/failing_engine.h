@@ -52,7 +52,6 @@ static int failing_traverse(plt_traversal *t, plt_packet *p, uint32_t visits) {
 
 #define FAILING_DECLARE(name) extern __typeof__(plt_##name) failing_##name
 FAILING_DECLARE(trace_packet);
-FAILING_DECLARE(trace_packets);
 FAILING_DECLARE(batch_packets);
 FAILING_DECLARE(rendering_begin_batches);
 FAILING_DECLARE(rendering_ahead);
@@ -81,7 +80,6 @@ FAILING_DECLARE(arena_peak);
 #define plt_rendering_begin_batches failing_rendering_begin_batches
 #define plt_rendering_ahead failing_rendering_ahead
 #define plt_trace_packet failing_trace_packet
-#define plt_trace_packets failing_trace_packets
 #define plt_rendering_init failing_rendering_init
 #define plt_rendering_begin failing_rendering_begin
 #define plt_rendering_step failing_rendering_step
@@ -108,7 +106,6 @@ FAILING_DECLARE(arena_peak);
 #undef plt_rendering_begin_batches
 #undef plt_rendering_ahead
 #undef plt_trace_packet
-#undef plt_trace_packets
 #undef plt_rendering_init
 #undef plt_rendering_begin
 #undef plt_rendering_step
