@@ -60,6 +60,12 @@ verdict "... nor another frame, data, or a row that nobody knows" "$(
         grep -q "^error: .*$what" "$folder/said" || echo "not seen: $what"
     done)"
 
+verdict "words of OF without a row are named, with those that have one, and nothing is built" "$(
+    rm -f "$rows/parts.csv"
+    said=$($MAKE -s sizes ON=none OF='render thesis, thesis rendr' 2>&1) && echo "status 0"
+    echo "$said" | grep -q "^error: OF: .* no row 'thesis rendr'; it has all, render thesis, " ||
+        echo "$said"
+    [ ! -f "$rows/parts.csv" ] || echo "parts were built")"
 verdict "tables of README.md and PORTING.md are those of tests/golden/*.csv" "$(
     sh tests/measure/tables.sh)"
 verdict "... and those of others would not be" "$(
